@@ -12,64 +12,58 @@ START = "start_up_2d"
 TARGET = {"Mesh/Target error": 1e-2}
 LOADS = {"Analysis": "load curve"}
 
-REFUSED = {
-    "negative radius": (DISCS, "Wheel/Radius = -1", {"Wheel/Radius": -1}),
-    "nu = 0.7": (DISCS, "Rail/Poisson ratio = 0.7: give a number from 0 to 0.5.", {"Rail/Poisson ratio": 0.7}),
-    "nu = 0.5": (DISCS, "below 0.5", {"Rail/Poisson ratio": 0.5}),
-    "a modulus below 0": (DISCS, "Wheel/Young modulus = -1: give a number of at least 0 Pa.", {"Wheel/Young modulus": -1}),
-    "a decimal comma": (DISCS, "Contact/Friction coefficient = 0,3: give a number of at least 0; decimals take a point.",
-                        {"Contact/Friction coefficient": "0,3"}),
-    "a comment in a setting": (DISCS, "a value has no '#'", {"Contact/Approach": "1e-4 # m"}),
-    "no such choice": (DISCS, "give `automatic`, `economical`, ", {"Contact/Solver": "newton"}),
-    "neither true nor false": (DISCS, "give `true` or `false`.", {"Output/Plot": "maybe"}),
-    "load and approach": (DISCS, "one of them", {"Contact/Normal load": 1}),
-    "neither load nor approach": (DISCS, "both empty", {"Contact/Approach": ""}),
-    "zero elements": (DISCS, "Mesh/Elements across patch", {"Mesh/Elements across patch": 0}),
-    "spin in 2D": (DISCS, "3D only", {"Contact/Spin": 1}),
-    "four dimensions": (DISCS, "Dimension", {"Dimension": 4}),
-    "no lateral curvature in time": (DISCS, "Lateral radius", {"Dimension": 3, "Analysis": "transient", "Time/End time": 1e-3,
-                                                               "Time/Time step": 1e-4}),
-    "a lateral radius in 2D": (DISCS, "Wheel/Lateral radius = 0.3: in 2D", {"Wheel/Lateral radius": 0.3}),
-    "unknown setting": (DISCS, "there is no entry Contact/Nrmal load; did you mean Contact/Normal load?", {"Contact/Nrmal load": 1}),
-    "unknown section of a setting": (DISCS, "did you mean Contact/Spin?", {"Cntact/Spin": 1}),
-    "a setting without section": (DISCS, "did you mean Contact/Friction coefficient or FMU/Friction coefficient?",
-                                  {"Friction coefficient": 1}),
-    "a setting of another section": (DISCS, "did you mean Rail/Radius or Wheel/Radius?", {"Contact/Radius": 1}),
-    "empty creep list": (CURVE, "the list is empty", {"Creep curve/Creepage y": ""}),
-    "malformed creep list": (CURVE, "'fast' is not a number", {"Creep curve/Creepage y": "0, fast"}),
-    "creep range without number": (CURVE, "a range needs at least 2 points", {"Creep curve/Creepage y": "0 : 0.01"}),
-    "creep range that is too long": (CURVE, "a range has at most a million points", {"Creep curve/Creepage y": "0 : 0.01 : 1e7"}),
-    "creep lists of different lengths": (CURVE, "same length", {"Creep curve/Spin": "1, 2"}),
-    "creepage y of a curve in 2D": (DISCS, "Creep curve/Creepage y contains 0.005",
-                                    {"Analysis": "creep curve", "Creep curve/Creepage y": "0 : 0.01 : 3"}),
-    "too many frequencies": ("wheel_modes", "Receptance/Frequencies per octave = 100000000: give a whole number from 1 to 1000.",
-                             {"Analysis": "receptance", "Receptance/Frequencies per octave": 100000000}),
-    "malformed shares of load": (CURVE, "Load curve/Shares of load = 0.1; 1: '0.1; 1' is not a number",
-                                 {**LOADS, "Load curve/Shares of load": "0.1; 1"}),
-    "a share of no load": (CURVE, "Load curve/Shares of load contains 0, which", {**LOADS, "Load curve/Shares of load": "0 : 1 : 3"}),
-}
-NOT_VALID = {
-    "a load that pulls": (DISCS, "Contact/Normal load = -5", {"Contact/Approach": "", "Contact/Normal load": -5}),
-    "roughness of two components": (DISCS, "it is one expression", {"Contact/Roughness": "x; y"}),
-    "random roughness": (DISCS, "cannot be repeated", {"Contact/Roughness": "1e-6 * rand()"}),
-    "a decimal comma in the roughness": (DISCS, "Contact/Roughness = 0,5e-6*cos(x): decimals take a point",
-                                         {"Contact/Roughness": "0,5e-6*cos(x)"}),
-    "an assignment in the roughness": (DISCS, "Contact/Roughness = x=5: a '=' would assign", {"Contact/Roughness": "x=5"}),
-    "roughness over time": (DISCS, "'t' is not known here; there are x, y, pi", {"Contact/Roughness": "1e-6*cos(t)"}),
-    "an assignment in a history": (START, "Time/Creepage x = t=5: a '=' would assign", {"Time/Creepage x": "t=5"}),
-    "a history over x": (START, "'x' is not known here; there are t, pi", {"Time/Creepage x": "0.001*x"}),
-    "no target": (DISCS, "Mesh/Target error = 0: give a number above 0 and below 1", {"Mesh/Target error": 0}),
-    "a target that is no number": (DISCS, "Mesh/Target error = fine: give a number", {"Mesh/Target error": "fine"}),
-    "a target of no friction": (DISCS, "and Contact/Friction coefficient = 0", {**TARGET, "Contact/Friction coefficient": 0}),
-    "a target and levels": (DISCS, "and Mesh/Adaptive levels = 2", {**TARGET, "Mesh/Adaptive levels": 2}),
-    "a target on a mesh file": ("own_mesh_2d", "a body from a mesh file (Rail/Shape) has elements of its own", TARGET),
-}
-WHILE_IT_RUNS = {
-    "infinite roughness": (DISCS, "it is not finite at", {"Contact/Roughness": "1/x"}),
-    "more elements than memory": (DISCS, "free: take fewer", {"Mesh/Elements across patch": 100000}),
-    "a body narrower than the patch": (CURVE, "Wheel/Width", {"Wheel/Width": 0.006}),
-    "contact node budget": (DISCS, "Contact node budget", {"Mesh/Adaptive levels": 1, "Mesh/Contact node budget": 5}),
-}
+REFUSED = [
+    (DISCS, "Wheel/Radius = -1", {"Wheel/Radius": -1}),
+    (DISCS, "Rail/Poisson ratio = 0.7: give a number from 0 to 0.5.", {"Rail/Poisson ratio": 0.7}),
+    (DISCS, "below 0.5", {"Rail/Poisson ratio": 0.5}),
+    (DISCS, "Wheel/Young modulus = -1: give a number of at least 0 Pa.", {"Wheel/Young modulus": -1}),
+    (DISCS, "Contact/Friction coefficient = 0,3: give a number of at least 0; decimals take a point.", {"Contact/Friction coefficient": "0,3"}),
+    (DISCS, "a value has no '#'", {"Contact/Approach": "1e-4 # m"}),
+    (DISCS, "give `automatic`, `economical`, ", {"Contact/Solver": "newton"}),
+    (DISCS, "give `true` or `false`.", {"Output/Plot": "maybe"}),
+    (DISCS, "one of them", {"Contact/Normal load": 1}),
+    (DISCS, "both empty", {"Contact/Approach": ""}),
+    (DISCS, "Mesh/Elements across patch", {"Mesh/Elements across patch": 0}),
+    (DISCS, "3D only", {"Contact/Spin": 1}),
+    (DISCS, "Dimension", {"Dimension": 4}),
+    (DISCS, "Lateral radius", {"Dimension": 3, "Analysis": "transient", "Time/End time": 1e-3, "Time/Time step": 1e-4}),
+    (DISCS, "Wheel/Lateral radius = 0.3: in 2D", {"Wheel/Lateral radius": 0.3}),
+    (DISCS, "there is no entry Contact/Nrmal load; did you mean Contact/Normal load?", {"Contact/Nrmal load": 1}),
+    (DISCS, "did you mean Contact/Spin?", {"Cntact/Spin": 1}),
+    (DISCS, "did you mean Contact/Friction coefficient or FMU/Friction coefficient?", {"Friction coefficient": 1}),
+    (DISCS, "did you mean Rail/Radius or Wheel/Radius?", {"Contact/Radius": 1}),
+    (CURVE, "the list is empty", {"Creep curve/Creepage y": ""}),
+    (CURVE, "'fast' is not a number", {"Creep curve/Creepage y": "0, fast"}),
+    (CURVE, "a range needs at least 2 points", {"Creep curve/Creepage y": "0 : 0.01"}),
+    (CURVE, "a range has at most a million points", {"Creep curve/Creepage y": "0 : 0.01 : 1e7"}),
+    (CURVE, "same length", {"Creep curve/Spin": "1, 2"}),
+    (DISCS, "Creep curve/Creepage y contains 0.005", {"Analysis": "creep curve", "Creep curve/Creepage y": "0 : 0.01 : 3"}),
+    ("wheel_modes", "Receptance/Frequencies per octave = 100000000: give a whole number from 1 to 1000.",
+     {"Analysis": "receptance", "Receptance/Frequencies per octave": 100000000}),
+    (CURVE, "Load curve/Shares of load = 0.1; 1: '0.1; 1' is not a number", {**LOADS, "Load curve/Shares of load": "0.1; 1"}),
+    (CURVE, "Load curve/Shares of load contains 0, which", {**LOADS, "Load curve/Shares of load": "0 : 1 : 3"}),
+]
+NOT_VALID = [
+    (DISCS, "Contact/Normal load = -5", {"Contact/Approach": "", "Contact/Normal load": -5}),
+    (DISCS, "it is one expression", {"Contact/Roughness": "x; y"}),
+    (DISCS, "cannot be repeated", {"Contact/Roughness": "1e-6 * rand()"}),
+    (DISCS, "Contact/Roughness = 0,5e-6*cos(x): decimals take a point", {"Contact/Roughness": "0,5e-6*cos(x)"}),
+    (DISCS, "Contact/Roughness = x=5: a '=' would assign", {"Contact/Roughness": "x=5"}),
+    (DISCS, "'t' is not known here; there are x, y, pi", {"Contact/Roughness": "1e-6*cos(t)"}),
+    (START, "Time/Creepage x = t=5: a '=' would assign", {"Time/Creepage x": "t=5"}),
+    (START, "'x' is not known here; there are t, pi", {"Time/Creepage x": "0.001*x"}),
+    (DISCS, "Mesh/Target error = 0: give a number above 0 and below 1", {"Mesh/Target error": 0}),
+    (DISCS, "Mesh/Target error = fine: give a number", {"Mesh/Target error": "fine"}),
+    (DISCS, "and Contact/Friction coefficient = 0", {**TARGET, "Contact/Friction coefficient": 0}),
+    (DISCS, "and Mesh/Adaptive levels = 2", {**TARGET, "Mesh/Adaptive levels": 2}),
+    ("own_mesh_2d", "a body from a mesh file (Rail/Shape) has elements of its own", TARGET),
+]
+WHILE_IT_RUNS = [
+    (DISCS, "it is not finite at", {"Contact/Roughness": "1/x"}),
+    (DISCS, "free: take fewer", {"Mesh/Elements across patch": 100000}),
+    (CURVE, "Wheel/Width", {"Wheel/Width": 0.006}),
+    (DISCS, "Contact node budget", {"Mesh/Adaptive levels": 1, "Mesh/Contact node budget": 5}),
+]
 FILES = {
     "empty.prm": ("", "empty.prm: the file is empty"),
     "typo.prm": ("set Dimension = 2\nsubsection Contact\n  set Aproach = 1\nend\n",
@@ -89,21 +83,17 @@ FILES = {
 }
 
 
-def cases(table):
-    return pytest.mark.parametrize("scene, says, settings", table.values(), ids=table.keys())
-
-
-@cases(REFUSED)
+@pytest.mark.parametrize("scene, says, settings", REFUSED)
 def test_a_run_is_refused(program, scene, says, settings):
     program.refuses(scene, says, settings)
 
 
-@cases(NOT_VALID)
+@pytest.mark.parametrize("scene, says, settings", NOT_VALID)
 def test_validation_refuses(program, scene, says, settings):
     program.refuses(scene, says, settings, options=VALIDATE)
 
 
-@cases(WHILE_IT_RUNS)
+@pytest.mark.parametrize("scene, says, settings", WHILE_IT_RUNS)
 def test_a_run_stops(program, scene, says, settings):
     program(scene, settings, code=1, says=says)
 

@@ -54,12 +54,9 @@ class Attack:
         program.write("treasure/kept.csv", MINE)
 
     def plant(self, kind, path):
-        if kind == "link":
-            path.symlink_to(self.victim)
-        elif kind == "dangling":
-            path.symlink_to(self.folder / "nowhere")
-        elif kind == "link_to_folder":
-            path.symlink_to(self.treasure)
+        targets = {"link": self.victim, "dangling": self.folder / "nowhere", "link_to_folder": self.treasure}
+        if kind in targets:
+            path.symlink_to(targets[kind])
         elif kind == "folder":
             path.mkdir()
             (path / "inner").write_text(MINE)

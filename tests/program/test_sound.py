@@ -31,7 +31,7 @@ def rounding(value):
 
 
 def near(value, expected, tolerance):
-    return abs(value - expected) <= tolerance
+    assert abs(value - expected) <= tolerance, f"{value:.9g}, expected {expected:.9g} to {tolerance:.2g}"
 
 
 def a_weight(f):
@@ -76,16 +76,16 @@ def test_the_powers_of_bodies_add_up(result, total):
     """To half of the last digit of each number."""
     parts = [result[f"sound_power_{body}_dB_re_1pW"] for body in ("wheel", "rail")]
     digits = sum(power(level) * rounding(level) * math.log(10) / 10 for level in [*parts, result["sound_power_dB_re_1pW"]])
-    assert near(sum(map(power, parts)), total, digits)
+    near(sum(map(power, parts)), total, digits)
 
 
 def test_the_pressure_of_the_power(result, total):
     """What reaches the place is weighted alike."""
     heard = result["sound_pressure_Pa"]
     digits = rounding(result["sound_power_dB_re_1pW"]) * math.log(10) / 10 + 2 * rounding(heard) / heard
-    assert near(heard**2, DENSITY * SPEED * total / (2 * math.pi * DISTANCE**2), heard**2 * digits)
-    assert near(result["sound_pressure_dBA_re_20uPa"] - result["sound_power_dBA_re_1pW"],
-                20 * math.log10(heard / 20e-6) - level_of(total), 1e-5)
+    near(heard**2, DENSITY * SPEED * total / (2 * math.pi * DISTANCE**2), heard**2 * digits)
+    near(result["sound_pressure_dBA_re_20uPa"] - result["sound_power_dBA_re_1pW"],
+         20 * math.log10(heard / 20e-6) - level_of(total), 1e-5)
 
 
 def test_third_octaves(whole, result, total):
@@ -93,26 +93,27 @@ def test_third_octaves(whole, result, total):
     wheel, rail, both, weighted, lower, upper, centre = (bands[name] for name in (
         "wheel_dB_re_1pW", "rail_dB_re_1pW", "total_dB_re_1pW", "total_dBA_re_1pW", "lower_edge_Hz", "upper_edge_Hz", "centre_frequency_Hz"))
     for k in range(len(bands)):
-        assert near(power(wheel[k]) + power(rail[k]), power(both[k]), 1e-6 * total)
-        assert near(upper[k] / lower[k], 10**0.1, 1e-6)
+        near(power(wheel[k]) + power(rail[k]), power(both[k]), 1e-6 * total)
+        near(upper[k] / lower[k], 10**0.1, 1e-6)
     heard = [k for k, level in enumerate(both) if not math.isnan(level)]
-    assert near(level_of(sum(power(both[k]) for k in heard)), level_of(total), 0.02)
-    assert near(level_of(sum(power(weighted[k]) for k in heard)), result["sound_power_dBA_re_1pW"], 0.02)
+    near(level_of(sum(power(both[k]) for k in heard)), level_of(total), 0.02)
+    near(level_of(sum(power(weighted[k]) for k in heard)), result["sound_power_dBA_re_1pW"], 0.02)
     loudest = max(heard, key=lambda k: both[k])
     tilt = a_weight(upper[loudest]) - a_weight(lower[loudest])
-    assert near(weighted[loudest] - both[loudest], a_weight(centre[loudest]), abs(tilt) + 0.02)
+    near(weighted[loudest] - both[loudest], a_weight(centre[loudest]), abs(tilt) + 0.02)
 
 
 def test_modes(whole, result, total):
     """Parts of the power, and columns of their velocities."""
     modes, history = whole.table("sound_modes.csv"), whole.table("modal_velocities.csv")
     bodies, shares = modes.texts("body"), modes["power_share"]
-    assert near(sum(shares), 1, 1e-6)
-    assert near(sum(share for share, body in zip(shares, bodies) if body == "wheel") * total,
-                power(result["sound_power_wheel_dB_re_1pW"]), 1e-6 * total)
+    near(sum(shares), 1, 1e-6)
+    near(sum(share for share, body in zip(shares, bodies) if body == "wheel") * total,
+         power(result["sound_power_wheel_dB_re_1pW"]), 1e-6 * total)
     names = [f"{body}_{mode}_m*sqrt(kg)/s" for body, mode in zip(bodies, modes.texts("mode"))]
     assert [column for column in history.columns if column != "time_s"] == names
-    assert near(history["time_s"][0], STEP, 1e-12) and near(history.last("time_s"), len(history) * STEP, 1e-9)
+    near(history["time_s"][0], STEP, 1e-12)
+    near(history.last("time_s"), len(history) * STEP, 1e-9)
     assert all(0 < frequency <= 4000 for frequency in modes["frequency_Hz"])
     assert all((text == "") == (body == "rail") for text, body in zip(modes.texts("nodal_diameters"), bodies))
 
@@ -120,13 +121,13 @@ def test_modes(whole, result, total):
 def test_the_file(whole, result, pressure):
     history = whole.table("modal_velocities.csv")
     recorded = (len(history) - round(SKIPPED / STEP)) * STEP
-    assert near(len(pressure) / 44100, recorded, 0.011 * recorded)
-    assert near(10 * math.log10(sum(p * p for p in pressure) / len(pressure)), 20 * math.log10(result["sound_pressure_Pa"]), 0.001)
+    near(len(pressure) / 44100, recorded, 0.011 * recorded)
+    near(10 * math.log10(sum(p * p for p in pressure) / len(pressure)), 20 * math.log10(result["sound_pressure_Pa"]), 0.001)
     full_scale = result["wav_full_scale_Pa"]
     assert max(map(abs, pressure)) < full_scale <= 5.01 * max(map(abs, pressure))
     comment = re.search(rb"at ([\d.]+) m, an estimate; full scale \(2\^23\) is ([\d.e-]+) Pa", (whole / "pressure.wav").read_bytes()[:400])
-    assert near(float(comment[1]), DISTANCE, 1e-6)
-    assert near(float(comment[2]), full_scale, 1e-6 * full_scale)
+    near(float(comment[1]), DISTANCE, 1e-6)
+    near(float(comment[2]), full_scale, 1e-6 * full_scale)
 
 
 def test_the_power_of_a_disc_by_hand(whole, result, pressure):
@@ -153,7 +154,7 @@ def test_the_power_of_a_disc_by_hand(whole, result, pressure):
                 turn *= w
             by_hand += (DENSITY * SPEED / (1 + (critical / f) ** (2 * diameters + 4)) * 2 * share / (7800 * thickness)
                         * 2 * abs(amplitude / used) ** 2)
-    assert near(power(result["sound_power_wheel_dB_re_1pW"]) / by_hand, 0.92, 0.05)
+    near(power(result["sound_power_wheel_dB_re_1pW"]) / by_hand, 0.92, 0.05)
 
 
 def peak(values, interval):
@@ -174,17 +175,17 @@ def peak(values, interval):
 def test_the_pitch_is_that_of_the_contact(whole, pressure):
     recorded = len(whole.table("modal_velocities.csv")) - round(SKIPPED / STEP)
     contact = whole.table("history.csv")["velocity_x_m/s"][-recorded:]
-    assert near(peak(pressure, 1 / 44100), peak(contact, STEP), 5.1)
+    near(peak(pressure, 1 / 44100), peak(contact, STEP), 5.1)
 
 
 def test_the_summary(whole, result):
     found = re.search(r"sound power of the wheel (-?[\d.]+) dB\(A\), the rail (-?[\d.]+) dB\(A\), together "
                       r"(-?[\d.]+) dB\(A\) re 1 pW; at ([\d.]+) m (-?[\d.]+) dB\(A\) re 20 uPa: an estimate", whole.screen)
     wheel, rail, both, place, here = map(float, found.groups())
-    assert near(both, result["sound_power_dBA_re_1pW"], 0.06)
-    assert near(level_of(power(wheel) + power(rail)), both, 0.15)
-    assert near(place, DISTANCE, 1e-9)
-    assert near(here, result["sound_pressure_dBA_re_20uPa"], 0.06)
+    near(both, result["sound_power_dBA_re_1pW"], 0.06)
+    near(level_of(power(wheel) + power(rail)), both, 0.15)
+    near(place, DISTANCE, 1e-9)
+    near(here, result["sound_pressure_dBA_re_20uPa"], 0.06)
 
 
 def test_modes_have_the_numbers_of_stability(program, whole):
