@@ -15,6 +15,7 @@
 #include <rolling_contact/program/command_line.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/run_context.h>
+#include <rolling_contact/run/written_names.h>
 
 #include <cstdlib>
 #include <functional>
@@ -155,8 +156,8 @@ namespace RollingContact
     {
       const auto &resumption =
         analysis_kind(scene.inputs->analysis.name).resumption;
-      return resumption && std::filesystem::is_regular_file(
-                             folder.get_path() / resumption(scene).checkpoint);
+      return resumption &&
+             has_checkpoint(folder.get_path(), resumption(scene).checkpoint);
     }
 
     /**

@@ -168,7 +168,7 @@ namespace RollingContact
     entries.add("Largest depth", largest_depth, "m").help =
       "Depth at which it ends; empty: none.";
     entries.add("Least flange thickness", least_thickness, "m").help =
-      "Sd at which it ends, see doc/evolution.md; empty: none.";
+      "Sd at which it ends, see doc/howto/evolution.md; empty: none.";
     entries.add("Largest flange height", largest_height, "m").help =
       "Sh at which it ends; empty: none.";
     entries.add("Least qR", least_qr, "m").help =

@@ -145,7 +145,8 @@ namespace RollingContact
     std::string reason_of_ranks(const std::size_t n_unknowns,
                                 const double      bytes)
     {
-      const std::size_t as_fast = 600000; // measured: doc/distributed.md
+      const std::size_t as_fast =
+        600000; // measured: doc/measurements/distributed.md
       if (n_unknowns > as_fast || bytes > 0.7 * available_memory())
         return "";
       return std::to_string(Ranks::count()) +

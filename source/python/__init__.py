@@ -1,7 +1,7 @@
 """Rolling contact with friction between a wheel and a rail.
 
 States and time steps of the program rolling-contact for programs in Python:
-see doc/python.md. SI units; forces are those on the wheel.
+see doc/howto/python.md. SI units; forces are those on the wheel.
 """
 
 import sys

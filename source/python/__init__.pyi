@@ -1,4 +1,4 @@
-"""Rolling contact with friction between a wheel and a rail; see doc/python.md."""
+"""Rolling contact with friction between a wheel and a rail; see doc/howto/python.md."""
 
 import os
 from typing import Any, Mapping, Optional, Union

@@ -1,4 +1,4 @@
-"""Entries of a scene as attributes: session.contact.creepage_x; see doc/python.md."""
+"""Entries of a scene as attributes: session.contact.creepage_x; see doc/howto/python.md."""
 
 import functools
 import json

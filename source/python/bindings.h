@@ -19,7 +19,7 @@
 
 namespace RollingContact
 {
-  /** The module rolling_contact for Python; see doc/python.md. */
+  /** The module rolling_contact for Python; see doc/howto/python.md. */
   namespace Bindings
   {
     namespace py = pybind11;

@@ -106,7 +106,7 @@ namespace RollingContact::Bindings
         module,
         "ErrorBounds",
         "How far a state may be off from that of an infinitely fine mesh of "
-        "the same bodies; None where no bound is known. See doc/accuracy.md.");
+        "the same bodies; None where no bound is known. See doc/explanation/errors.md.");
       define_copies(bounds);
       bounds
         .def_readonly("force",
@@ -372,14 +372,15 @@ namespace RollingContact::Bindings
            &PySession::close,
            "Give up the bodies that are kept; done at the end of a with "
            "statement. Any other use is an error from then on.")
-      .def("row",
-           &PySession::row,
-           "The columns of results.csv of the state that was solved last, as a "
-           "dict: their names end with units, what is not known is None, what "
-           "is true or false 1 or 0. With Wear/Report the wear and fatigue of "
-           "the state, with Contact/Speed its temperatures, see doc/output.md. "
-           "Raises RuntimeError if no state that touches was solved, or an "
-           "entry was set since.")
+      .def(
+        "row",
+        &PySession::row,
+        "The columns of results.csv of the state that was solved last, as a "
+        "dict: their names end with units, what is not known is None, what "
+        "is true or false 1 or 0. With Wear/Report the wear and fatigue of "
+        "the state, with Contact/Speed its temperatures, see doc/reference/output.md. "
+        "Raises RuntimeError if no state that touches was solved, or an "
+        "entry was set since.")
       .def_property_readonly("n_bodies_made",
                              &PySession::n_bodies_made,
                              "How many sets of bodies were made so far.")

@@ -1,4 +1,4 @@
-"""Tables of states, table.h5, as numpy arrays with their axes; see doc/tables.md. Needs h5py."""
+"""Tables of states, table.h5, as numpy arrays with their axes; see doc/howto/tables.md. Needs h5py."""
 
 import pathlib
 

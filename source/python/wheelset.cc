@@ -166,7 +166,7 @@ namespace RollingContact::Bindings
       module,
       "Wheelset",
       "A wheelset or bogie of a scene, whose equilibria are found; Analysis is "
-      "wheelset, whatever the scene says. See doc/wheelset.md.")
+      "wheelset, whatever the scene says. See doc/howto/wheelset.md.")
       .def(py::init([](const py::object &scene, const py::object &settings) {
              return std::make_unique<PyWheelset>(
                make_scene_of("wheelset", scene, settings));

@@ -3,6 +3,7 @@
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/log.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace RollingContact
@@ -41,6 +42,10 @@ namespace RollingContact
 
   void Log::warning(const std::string &text)
   {
+    if (repetitions > 0 &&
+        std::find(kept_warnings.begin(), kept_warnings.end(), text) !=
+          kept_warnings.end())
+      return;
     kept_warnings.push_back(text);
     errors << wrapped("Warning: " + text, screen_width()) << std::endl;
   }

@@ -4,6 +4,7 @@
 #include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/run/results_table.h>
+#include <rolling_contact/run/written_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,20 @@ namespace RollingContact
     , file_name(file_name)
   {}
 
+  ResultsTable::ResultsTable(RunFolder         &folder,
+                             const std::string &file_name,
+                             const bool         is_of_rank)
+    : folder(&folder)
+    , row_by_row(true)
+    , is_of_rank(is_of_rank)
+    , file_name(file_name)
+  {}
+
+  ResultsTable ResultsTable::of_rank(RunFolder &folder, const unsigned int rank)
+  {
+    return ResultsTable(folder, rank_file_name("results.csv", rank), true);
+  }
+
   ResultsTable::~ResultsTable()
   {
     try
@@ -243,24 +258,6 @@ namespace RollingContact
     n_written_rows = rows.size();
   }
 
-  void ResultsTable::sort_by(const std::string &column)
-  {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      order.emplace_back(number(i, column).value(), i);
-    std::stable_sort(order.begin(),
-                     order.end(),
-                     [](const auto &a, const auto &b) {
-                       return a.first < b.first;
-                     });
-    std::vector<Row> sorted;
-    for (const auto &place : order)
-      sorted.push_back(std::move(rows[place.second]));
-    rows           = std::move(sorted);
-    n_csv_columns  = 0;
-    n_written_rows = 0;
-  }
-
   void ResultsTable::end_row()
   {
     rows.push_back(std::move(current_row));
@@ -278,10 +275,12 @@ namespace RollingContact
 
   void ResultsTable::flush()
   {
-    if (!folder || n_written_rows == rows.size() || !Ranks::is_root())
+    if (!folder || n_written_rows == rows.size() ||
+        !(is_of_rank || Ranks::is_root()))
       return;
     update_csv();
-    folder->write_atomically(file_name, csv_text);
+    is_of_rank ? folder->write_of_rank(file_name, csv_text)
+               : folder->write_atomically(file_name, csv_text);
     n_written_rows = rows.size();
     last_write     = std::chrono::steady_clock::now();
   }

@@ -80,7 +80,7 @@ namespace RollingContact
         refuse_to_resume(folder, "there is no such folder.");
       take();
       const fs::path used = final_path("used.prm");
-      if (!fs::is_regular_file(final_path(resumption.checkpoint)) ||
+      if (!has_checkpoint(folder, resumption.checkpoint) ||
           !fs::is_regular_file(used))
         refuse_to_resume(folder,
                          "it holds no checkpoint (no " + resumption.checkpoint +
@@ -176,6 +176,35 @@ namespace RollingContact
         begun_files.erase(name);
         published_files.insert(name);
       }
+  }
+
+  void RunFolder::claim_for_ranks(const std::string &name)
+  {
+    std::vector<std::string> names;
+    for (unsigned int rank = 1; rank < Ranks::count(); ++rank)
+      names.push_back(rank_file_name(name, rank));
+    Ranks::on_root([&]() { begin(names); });
+    // whoever writes them: they stay if the run ends before they are taken over
+    for (const std::string &of_rank : names)
+      {
+        begun_files.erase(of_rank);
+        published_files.insert(of_rank);
+      }
+  }
+
+  void RunFolder::write_of_rank(const std::string &name,
+                                const std::string &text)
+  {
+    write_file(final_path(name), text, temporary_path(name));
+  }
+
+  void RunFolder::remove_files_of_ranks(const std::string &name)
+  {
+    const std::set<std::string> claimed = claimed_files;
+    for (const std::string &file : claimed)
+      if (rank_of_file(name, file))
+        forget(file);
+    write_run_json();
   }
 
   void RunFolder::write_record(const std::string &members,

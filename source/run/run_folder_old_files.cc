@@ -46,6 +46,15 @@ namespace RollingContact
       }
   }
 
+  void RunFolder::forget(const std::string &name)
+  {
+    remove_file(final_path(name));
+    remove_file(temporary_path(name));
+    begun_files.erase(name);
+    published_files.erase(name);
+    claimed_files.erase(name);
+  }
+
   void RunFolder::remove_unpublished_files()
   {
     remove_file(temporary_path(record_name));

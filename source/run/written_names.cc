@@ -1,6 +1,8 @@
+#include <rolling_contact/base/number_text.h>
 #include <rolling_contact/run/previous_run.h>
 #include <rolling_contact/run/written_names.h>
 
+#include <map>
 #include <regex>
 
 namespace RollingContact
@@ -12,7 +14,7 @@ namespace RollingContact
       "(_(leading|trailing))?(_(right|left))?(_[0-9]+)?";
 
     const std::string tables =
-      "(results|history|modal_velocities|impact_history|wheelset|duty"
+      "(results(_rank_[0-9]+)?|history|modal_velocities|impact_history|wheelset|duty"
       "|(across|nodes)" +
       of_wheel +
       "|sound|sound_modes|spectrum|third_octaves|lines|spectrogram|cycle"
@@ -76,6 +78,57 @@ namespace RollingContact
           name.erase(0, 1);
       }
     return name == record_name || is_written_name(name) ? name : "";
+  }
+
+  std::string rank_file_name(const std::string &name, const unsigned int rank)
+  {
+    const std::size_t dot = name.rfind('.');
+    return name.substr(0, dot) + "_rank_" + std::to_string(rank) +
+           name.substr(dot);
+  }
+
+  std::optional<unsigned int> rank_of_file(const std::string &name,
+                                           const std::string &file)
+  {
+    const std::size_t dot   = name.rfind('.');
+    const std::string begin = name.substr(0, dot) + "_rank_",
+                      end   = name.substr(dot);
+    if (file.size() <= begin.size() + end.size() || file.find(begin) != 0)
+      return {};
+    const std::string digits =
+      file.substr(begin.size(), file.size() - begin.size() - end.size());
+    const std::size_t most   = 9;
+    const auto        number = number_of(digits);
+    if (!number || digits.size() > most ||
+        digits.find_first_not_of("0123456789") != std::string::npos ||
+        rank_file_name(name, static_cast<unsigned int>(*number)) != file)
+      return {};
+    return static_cast<unsigned int>(*number);
+  }
+
+  std::vector<std::string> files_of_ranks(const std::filesystem::path &folder,
+                                          const std::string           &name)
+  {
+    std::map<unsigned int, std::string> found;
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+      {
+        const std::string file = entry.path().filename().string();
+        if (const auto rank = rank_of_file(name, file);
+            rank && entry.is_regular_file())
+          found[*rank] = file;
+      }
+    std::vector<std::string> files;
+    for (const auto &[rank, file] : found)
+      files.push_back(file);
+    return files;
+  }
+
+  bool has_checkpoint(const std::filesystem::path &folder,
+                      const std::string           &name)
+  {
+    return std::filesystem::is_regular_file(folder / name) ||
+           (std::filesystem::is_directory(folder) &&
+            !files_of_ranks(folder, name).empty());
   }
 
   bool vouch_for(const std::set<std::string> &files, const std::string &name)

@@ -72,9 +72,8 @@ namespace RollingContact
                                  const bool        enclosed,
                                  SolvedChain      &chain)
   {
-    ResultsTable &rows = chain.rows;
-    ResultsTable  row;
-    RunContext    own{
+    ResultsTable row, whole;
+    RunContext   own{
       context.folder, row, context.report, context.timer, context.log};
     TableStatus status = !steady.solver.converged ? TableStatus::not_converged
                          : !enclosed              ? TableStatus::not_enclosed
@@ -88,11 +87,15 @@ namespace RollingContact
       {
         status = TableStatus::broken;
       }
-    begin_table_row(plan, state, status, rows);
-    rows.take_row(row, 0);
+    begin_table_row(plan, state, status, whole);
+    whole.take_row(row, 0);
     if (status == TableStatus::solved)
-      more_columns(scene, steady, rows);
-    rows.end_row();
+      {
+        more_columns(scene, steady, whole);
+        chain.columns = whole.columns();
+      }
+    whole.end_row();
+    chain.rows.append(whole);
   }
 
   template class ChainSolver<2>;

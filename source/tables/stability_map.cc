@@ -191,7 +191,7 @@ namespace RollingContact
                                        const Situation        &scene,
                                        const SteadyState<dim> &base)
   {
-    if (!places.keeps_bodies())
+    if (!places.keeps_bodies() && !this->is_shared())
       prove_worst(band, scene, base);
     rolling.reset();
     if (places.keeps_bodies())
@@ -239,7 +239,7 @@ namespace RollingContact
   }
 
   template <int dim>
-  void StabilityMap<dim>::prove_on_kept_bodies()
+  void StabilityMap<dim>::prove_in_the_end()
   {
     const std::size_t row = worst_row(context.results);
     if (!this->scene.inputs->stability.correct ||
@@ -250,6 +250,8 @@ namespace RollingContact
       if (std::find(band.states.begin(), band.states.end(), state) !=
           band.states.end())
         {
+          context.log.detail("Bodies once more for " + plan.name(state) + '.');
+          const Log::Again       again(context.log);
           SceneEntries           entries(this->scene);
           const Situation        largest   = band.scene(plan, entries);
           const auto             make_pair = this->pair_maker(band);
@@ -270,8 +272,8 @@ namespace RollingContact
   template <int dim>
   void StabilityMap<dim>::summarise()
   {
-    if (places.keeps_bodies())
-      prove_on_kept_bodies();
+    if (places.keeps_bodies() || this->is_shared())
+      prove_in_the_end();
     const ResultsTable &results    = context.results;
     std::size_t         n_unstable = 0, n_solved = 0, n_contact = 0;
     for (std::size_t row = 0; row < results.n_rows(); ++row)
@@ -337,7 +339,6 @@ namespace RollingContact
     kind.has_many_states = true;
     kind.linearises      = true;
     kind.has_dampers     = true;
-    kind.on_ranks        = false;
     kind.rules           = {&check_table, &check_linearised_state};
     kind.resumption      = &table_resumption;
     return kind;

@@ -3,6 +3,7 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/base/ordered_work.h>
 #include <rolling_contact/base/platform.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/results/bodies_report.h>
@@ -14,6 +15,8 @@
 #include <rolling_contact/tables/kept_bodies.h>
 #include <rolling_contact/tables/table.h>
 #include <rolling_contact/tables/table_output.h>
+
+#include <algorithm>
 
 namespace RollingContact
 {
@@ -29,11 +32,14 @@ namespace RollingContact
                     const TableStates &states,
                     RunContext        &context)
     : scene(scene)
-    , context(context)
+    , n_ranks(Ranks::count())
+    , rows_of_ranks(context)
+    , context(rows_of_ranks.context())
     , plan(plan_table(scene, states))
     , part(scene.inputs->table.part())
-    , n_threads(scene.inputs->table.threads > 0 ? scene.inputs->table.threads
-                                                : n_host_cpus())
+    , n_threads(scene.inputs->table.threads > 0
+                  ? scene.inputs->table.threads
+                  : std::max(1u, n_host_cpus() / n_ranks))
     , has_row(plan.values.size(), false)
   {}
 
@@ -41,21 +47,13 @@ namespace RollingContact
   void Table<dim>::run()
   {
     reserve_blas_memory(n_threads);
-    if (!scene.inputs->table.join.empty())
-      join_rows(plan,
-                scene.inputs->table.join,
-                entries_free_on_resume(*scene.inputs),
-                context);
-    else if (context.resume)
-      restore_rows(plan, context);
-    n_before = context.results.n_rows();
-    for (std::size_t row = 0; row < n_before; ++row)
-      has_row[state_of_row(context.results, row)] = true;
+    take_rows();
     bands = load_bands(scene, plan, smallest_share());
     context.log.message(
       "Table of " + std::to_string(plan.values.size()) + " states on " +
       sets(bands.size()) + "; " + std::to_string(n_threads) +
       (n_threads == 1 ? " thread" : " threads") +
+      (is_shared() ? " on each of " + std::to_string(n_ranks) + " ranks" : "") +
       (n_before > 0
          ? ", " + std::to_string(n_before) + " states are there already."
          : "."));
@@ -65,17 +63,12 @@ namespace RollingContact
     if (!part.is_all())
       context.log.message("Part " + scene.inputs->table.part_text + " has " +
                           std::to_string(n_mine) + " of them.");
-    try
-      {
-        for (std::size_t k = 0; k < bands.size(); ++k)
-          solve_band(bands[k], of_bands[k]);
-      }
-    catch (...)
-      {
-        context.results.flush();
-        throw;
-      }
-    finish();
+    solve_bands(of_bands);
+    const bool is_root = Ranks::is_root();
+    Ranks::apart([&]() {
+      if (is_root)
+        finish();
+    });
   }
 
   template <int dim>
@@ -99,18 +92,20 @@ namespace RollingContact
   }
 
   template <int dim>
-  void Table<dim>::solve_band(const LoadBand &band, const Chains &chains)
+  void Table<dim>::solve_band(const LoadBand  &band,
+                              const Chains    &chains,
+                              const BandTurns &turns)
   {
     throw_if_interrupted();
-    if (chains.empty())
+    if (!turns.any())
       return;
     if (band.touches())
       {
-        solve_band_that_touches(band, chains);
+        solve_band_that_touches(band, chains, turns);
         return;
       }
     SceneEntries entries(scene);
-    for (const auto &chain : chains)
+    for (const auto &chain : turns.rest_of(chains))
       for (const std::size_t state : chain)
         {
           plan.set(state, entries);
@@ -124,23 +119,29 @@ namespace RollingContact
   }
 
   template <int dim>
-  void Table<dim>::solve_band_that_touches(const LoadBand &band,
-                                           const Chains   &chains)
+  void Table<dim>::give_up(const Chains &unsolved, const std::string &why)
+  {
+    if (unsolved.empty())
+      return;
+    context.log.warning("The state of the table with " +
+                        plan.name(unsolved[0][0]) + ": " + why);
+    for (const auto &chain : unsolved)
+      for (const std::size_t state : chain)
+        add_unsolved_row(plan,
+                         state,
+                         TableStatus::not_enclosed,
+                         context.results);
+  }
+
+  template <int dim>
+  void Table<dim>::solve_band_that_touches(const LoadBand  &band,
+                                           const Chains    &chains,
+                                           const BandTurns &turns)
   {
     SceneEntries     entries(scene);
     const Situation  largest = band.scene(plan, entries);
     PairMaker<dim>   make_pair;
     SteadyState<dim> base;
-    const auto give_up = [&](const Chains &unsolved, const std::string &why) {
-      context.log.warning("The state of the table with " +
-                          plan.name(unsolved[0][0]) + ": " + why);
-      for (const auto &chain : unsolved)
-        for (const std::size_t state : chain)
-          add_unsolved_row(plan,
-                           state,
-                           TableStatus::not_enclosed,
-                           context.results);
-    };
     try
       {
         make_pair = pair_maker(band);
@@ -151,20 +152,21 @@ namespace RollingContact
       }
     catch (const ConvergenceError &error)
       {
-        return give_up(chains, error.what());
+        return give_up(turns.rest_of(chains), error.what());
       }
     catch (const InputError &error)
       {
         // shared bodies may end here, and go on elsewhere
         if (!make_pair)
           throw;
-        return give_up(chains, error.what());
+        return give_up(turns.rest_of(chains), error.what());
       }
     describe(band, largest, base, band.states.size());
     Chains left = chains;
     solve_on_fitting_mesh(
       [&](const unsigned int k) {
-        left = solve_chains(left, base, largest, k + 1 == most_meshes);
+        left = solve_chains(
+          left, k == 0 ? &turns : nullptr, base, largest, k + 1 == most_meshes);
       },
       [&](const unsigned int k) {
         leave_bodies(band, largest, base);
@@ -203,6 +205,7 @@ namespace RollingContact
   template <int dim>
   typename Table<dim>::Chains
   Table<dim>::solve_chains(const Chains           &chains,
+                           const BandTurns        *turns,
                            const SteadyState<dim> &base,
                            const Situation        &scene,
                            const bool              keep_all)
@@ -212,7 +215,11 @@ namespace RollingContact
     take_bodies(scene, base);
     PhaseTimer::Scope phase(context.timer, Phase::contact_solve);
     const Stopwatch   watch;
-    Progress progress(context.log, "state", n_mine, context.results.n_rows());
+    // ranks take about equally many; each knows of its own
+    Progress                 progress(context.log,
+                      is_shared() ? "state of the first rank," : "state",
+                      (n_mine + n_ranks - 1) / n_ranks,
+                      context.results.n_rows());
     std::vector<SolvedChain> solved(chains.size());
     Chains                   left;
     do_in_order(
@@ -224,15 +231,20 @@ namespace RollingContact
           plan,
           base,
           [&](const auto &scene, const auto &steady, ResultsTable &row) {
+            if (turns)
+              turns->go_on();
             add_columns(scene, steady, row);
           },
           context);
         return [&, solver](const std::size_t k) {
-          solver->solve(chains[k], keep_all, solved[k]);
+          if (const auto mine = turns ? turns->take() : k)
+            solver->solve(chains[*mine], keep_all, solved[k]);
         };
       },
       [&](const std::size_t k) {
         context.results.append(solved[k].rows);
+        if (columns.empty())
+          columns = solved[k].columns;
         if (!solved[k].not_enclosed.empty())
           left.push_back(solved[k].not_enclosed);
         solved[k].rows.clear();
@@ -270,6 +282,7 @@ namespace RollingContact
     ResultsTable     &results  = context.results;
     const std::size_t n_solved = results.n_rows() - n_before;
     results.sort_by("state");
+    results.lead_with(columns);
     results.flush();
     const TableSummary summary = summary_of(results);
     summary.note(context.report);
@@ -281,7 +294,8 @@ namespace RollingContact
                                           : " of them from runs of parts")
                       : "") +
         "; " + std::to_string(n_solved) + " in " + human_seconds(seconds) +
-        " on " + sets(n_bodies));
+        " on " + sets(n_bodies) +
+        (is_shared() ? "; " + rows_of_ranks.shares() : ""));
     if (part.is_all())
       {
         write_table_file(plan, scene, context);
@@ -342,7 +356,6 @@ namespace RollingContact
       "section Table");
     kind.sections        = {"Table"};
     kind.has_many_states = true;
-    kind.on_ranks        = false;
     kind.rules           = {&check_table};
     kind.resumption      = &table_resumption;
     return kind;

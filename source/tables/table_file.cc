@@ -51,14 +51,16 @@ namespace RollingContact
           row_of[state_of_row(results, row)] = row;
       }
 
-      /** NaN where a state was not solved or the cell is empty. */
+      /** The numbers as results.csv has them, so that a run that was resumed
+       * or joined gives the same; NaN where a state was not solved or the cell
+       * is empty. */
       std::vector<double> column(const std::string &name) const
       {
         std::vector<double> values(row_of.size(), unknown);
         for (std::size_t state = 0; state < row_of.size(); ++state)
           if (is_known(state))
             values[state] =
-              results.number(row_of[state], name).value_or(unknown);
+              results.written_number(row_of[state], name).value_or(unknown);
         return values;
       }
 

@@ -6,11 +6,13 @@
 #include <rolling_contact/base/number_text.h>
 #include <rolling_contact/input/prm_entries.h>
 #include <rolling_contact/results/result_row.h>
+#include <rolling_contact/run/written_names.h>
 #include <rolling_contact/tables/table_rows.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 namespace RollingContact
@@ -125,6 +127,24 @@ namespace RollingContact
 
   namespace
   {
+    /** Whether a row is of a state of the plan. */
+    bool is_state_of(const TablePlan    &plan,
+                     const ResultsTable &results,
+                     const std::size_t   row)
+    {
+      const double number = results.number(row, "state").value_or(-1.);
+      const auto   state  = static_cast<std::size_t>(std::max(number, 0.));
+      bool         same   = number == static_cast<double>(state) &&
+                  state < plan.values.size() &&
+                  results.value<TableStatus>(row, "status");
+      for (std::size_t d = 0; same && d < plan.entries.size(); ++d)
+        {
+          const auto *value = results.value<double>(row, plan.entries[d]);
+          same              = value && *value == plan.values[state][d];
+        }
+      return same;
+    }
+
     /**
      * Read the rows of a file, and note their states. Returns the first row,
      * from 1, that is none of the plan or of a state that has one already; 0 if
@@ -138,19 +158,10 @@ namespace RollingContact
       results.restore(read_bytes(file), file, readers_of(plan));
       for (std::size_t row = 0; row < results.n_rows(); ++row)
         {
-          const double number = results.number(row, "state").value_or(-1.);
-          const auto   state  = static_cast<std::size_t>(std::max(number, 0.));
-          bool         same   = number == static_cast<double>(state) &&
-                      state < has_row.size() && !has_row[state] &&
-                      results.value<TableStatus>(row, "status");
-          for (std::size_t d = 0; same && d < plan.entries.size(); ++d)
-            {
-              const auto *value = results.value<double>(row, plan.entries[d]);
-              same              = value && *value == plan.values[state][d];
-            }
-          if (!same)
+          if (!is_state_of(plan, results, row) ||
+              has_row[state_of_row(results, row)])
             return row + 1;
-          has_row[state] = true;
+          has_row[state_of_row(results, row)] = true;
         }
       return 0;
     }
@@ -193,19 +204,66 @@ namespace RollingContact
     }
   } // namespace
 
+  namespace
+  {
+    [[noreturn]] void refuse_to_resume(const RunContext  &context,
+                                       const std::string &file,
+                                       const std::size_t  row)
+    {
+      throw InputError("Cannot resume the table in \"" +
+                       context.folder.get_path().string() + "\": row " +
+                       std::to_string(row) + " of " + file +
+                       " is none of its states; was a file changed? Start "
+                       "it without --resume.");
+    }
+  } // namespace
+
   void restore_rows(const TablePlan &plan, RunContext &context)
   {
+    std::vector<bool>           has_row(plan.values.size(), false);
+    const std::string           name = "results.csv";
+    const std::filesystem::path file = context.folder.get_path() / name;
+    // of a run on several ranks the others may have rows before the root has
+    if (std::filesystem::is_regular_file(file))
+      if (const std::size_t row =
+            read_rows(plan, file.string(), context.results, has_row))
+        refuse_to_resume(context, name, row);
+    std::vector<std::size_t> numbers;
+    add_rows_of_ranks(plan, context, numbers);
+  }
+
+  void add_rows_of_ranks(const TablePlan          &plan,
+                         RunContext               &context,
+                         std::vector<std::size_t> &numbers)
+  {
+    const std::string name  = "results.csv";
+    const auto        files = files_of_ranks(context.folder.get_path(), name);
+    if (files.empty())
+      return;
     std::vector<bool> has_row(plan.values.size(), false);
-    if (const std::size_t row =
-          read_rows(plan,
-                    (context.folder.get_path() / "results.csv").string(),
-                    context.results,
-                    has_row))
-      throw InputError(
-        "Cannot resume the table in \"" + context.folder.get_path().string() +
-        "\": row " + std::to_string(row) +
-        " of results.csv is none of its states; was a file changed? Start "
-        "it without --resume.");
+    for (std::size_t row = 0; row < context.results.n_rows(); ++row)
+      has_row[state_of_row(context.results, row)] = true;
+    for (const std::string &file : files)
+      {
+        const std::string path = (context.folder.get_path() / file).string();
+        ResultsTable      of_rank, news;
+        of_rank.restore(read_bytes(path), path, readers_of(plan));
+        for (std::size_t row = 0; row < of_rank.n_rows(); ++row)
+          {
+            if (!is_state_of(plan, of_rank, row))
+              refuse_to_resume(context, file, row + 1);
+            const std::size_t state = state_of_row(of_rank, row);
+            if (has_row[state])
+              continue;
+            has_row[state] = true;
+            news.take_row(of_rank, row);
+            news.end_row();
+          }
+        numbers.push_back(of_rank.n_rows());
+        context.results.append(news);
+      }
+    context.results.flush();
+    context.folder.remove_files_of_ranks(name);
   }
 
   void join_rows(const TablePlan      &plan,

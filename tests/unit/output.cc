@@ -129,6 +129,26 @@ BOOST_AUTO_TEST_CASE(log_levels)
     }
 }
 
+BOOST_AUTO_TEST_CASE(work_done_a_second_time)
+{
+  std::ostringstream out, errors;
+  Log                log(Verbosity::normal, out, errors);
+  log.warning("coarse");
+  {
+    const Log::Again again(log);
+    log.message("message");
+    log.warning("coarse");
+    log.warning("slow");
+    log.warning("slow");
+  }
+  log.message("next");
+  log.warning("coarse");
+  BOOST_TEST(out.str() == "next\n");
+  BOOST_TEST(errors.str() ==
+             "Warning: coarse\nWarning: slow\nWarning: coarse\n");
+  BOOST_TEST(log.warnings().size() == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(phases_sum_to_the_run)
 {
   using Clock   = std::chrono::steady_clock;

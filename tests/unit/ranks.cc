@@ -11,18 +11,23 @@
 #include <rolling_contact/base/collective_failure.h>
 #include <rolling_contact/base/interrupt.h>
 #include <rolling_contact/base/ranks.h>
+#include <rolling_contact/base/turns.h>
 #include <rolling_contact/bodies/theta_scheme.h>
 #include <rolling_contact/contact/trace.h>
 #include <rolling_contact/run/log.h>
+#include <rolling_contact/run/results_table.h>
 #include <rolling_contact/run/run_report.h>
+#include <rolling_contact/run/written_names.h>
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/solvers/force_control.h>
 #include <rolling_contact/time/checkpoint.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <thread>
 
@@ -113,6 +118,51 @@ BOOST_AUTO_TEST_CASE(vectors_in_pieces)
   Ranks::sum(none);
   Ranks::broadcast(none);
   BOOST_TEST(none.empty());
+}
+
+// each number is taken once, the lowest first, in threads of all ranks
+BOOST_AUTO_TEST_CASE(turns)
+{
+  const std::size_t   n = 3000, first = 1000;
+  Ranks::Turns        turns;
+  std::vector<double> taken(n, 0.), own;
+  std::mutex          mutex;
+  Ranks::apart([&]() {
+    for (const std::size_t end : {first, first, n})
+      {
+        std::vector<std::thread> threads;
+        for (unsigned int k = 0; k < 2; ++k)
+          threads.emplace_back([&]() {
+            while (const auto turn = turns.take_below(end))
+              {
+                const std::lock_guard<std::mutex> lock(mutex);
+                ++taken[*turn];
+                own.push_back(*turn);
+              }
+          });
+        for (std::thread &thread : threads)
+          thread.join();
+        BOOST_TEST(!turns.has_below(end));
+      }
+  });
+  Ranks::sum(taken);
+  BOOST_TEST(std::count(taken.begin(), taken.end(), 1.) ==
+             static_cast<long>(n));
+  BOOST_TEST(Ranks::sum(own.size()) == n);
+  BOOST_TEST(!turns.stopped());
+}
+
+BOOST_AUTO_TEST_CASE(turns_that_are_stopped)
+{
+  Ranks::Turns turns;
+  BOOST_TEST(turns.has_below(1000 * Ranks::count()));
+  BOOST_TEST(turns.take_below(1000 * Ranks::count()).has_value());
+  Ranks::sum(0.);
+  if (Ranks::rank() == last())
+    turns.stop();
+  Ranks::sum(0.);
+  BOOST_TEST(turns.stopped());
+  BOOST_TEST(!turns.take_below(1000000).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(texts_of_any_length)
@@ -362,6 +412,33 @@ BOOST_AUTO_TEST_CASE(only_the_root_talks)
   BOOST_TEST(out.str() == (Ranks::is_root() ? "hello\n" : ""));
   BOOST_TEST(errors.str().empty() == !Ranks::is_root());
   BOOST_TEST(log.warnings().size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(rows_that_a_rank_keeps)
+{
+  const SharedFolder shared;
+  const bool many = Ranks::count() > 1, is_last = Ranks::rank() == last();
+  const std::string name = "results.csv", own = rank_file_name(name, last());
+  RunFolder         run(shared.folder, "a", "b");
+  run.open();
+  run.claim_for_ranks(name);
+  const bool keeps = many && is_last;
+  Ranks::apart([&]() { // where each rank is the root
+    ResultsTable rows = ResultsTable::of_rank(run, last());
+    if (!keeps)
+      return;
+    rows.set("state", 7);
+    rows.end_row();
+    BOOST_TEST(read(shared.folder / own) == "state\n7\n");
+  });
+  BOOST_TEST(fs::exists(shared.folder / own) == many);
+  BOOST_TEST(!fs::exists(shared.folder / name));
+  BOOST_TEST(contains(read(shared.folder / "run.json"), own) == many);
+  Ranks::sum(0.);
+  Ranks::on_root([&]() { run.remove_files_of_ranks(name); });
+  BOOST_TEST(!fs::exists(shared.folder / own));
+  BOOST_TEST(!contains(read(shared.folder / "run.json"), own));
+  Ranks::sum(0.);
 }
 
 BOOST_AUTO_TEST_CASE(only_the_root_writes)

@@ -70,6 +70,7 @@ namespace
 BOOST_AUTO_TEST_CASE(names_that_a_run_writes)
 {
   for (const std::string name : {"results.csv",
+                                 "results_rank_12.csv",
                                  "history.bin",
                                  "tractions.gp",
                                  "table_12.svg",
@@ -111,6 +112,34 @@ BOOST_AUTO_TEST_CASE(names_that_a_run_writes)
   BOOST_TEST(vouch_for({"tractions.gp"}, "tractions.svg"));
   BOOST_TEST(!vouch_for({"tractions.gp"}, "tractions.dat"));
   BOOST_TEST(!vouch_for({}, "svg"));
+}
+
+BOOST_FIXTURE_TEST_CASE(names_of_the_files_of_ranks, ScratchFolder)
+{
+  const std::string name = "results.csv";
+  BOOST_TEST(rank_file_name(name, 12) == "results_rank_12.csv");
+  BOOST_TEST(rank_of_file(name, "results_rank_12.csv").value() == 12u);
+  for (const std::string other : {"results.csv",
+                                  "results_rank_.csv",
+                                  "results_rank_012.csv",
+                                  "results_rank_-1.csv",
+                                  "results_rank_1e3.csv",
+                                  "results_rank_1.csv.part",
+                                  "results_rank_99999999999.csv",
+                                  "my_results_rank_1.csv",
+                                  "history_rank_1.csv"})
+    BOOST_TEST(!rank_of_file(name, other), other);
+  BOOST_TEST(!has_checkpoint(folder, name));
+  open_folder(folder);
+  BOOST_TEST(!has_checkpoint(folder, name));
+  for (const std::string file :
+       {"results_rank_10.csv", "results_rank_2.csv", "results_rank_x.csv"})
+    write(folder / file, "");
+  fs::create_directory(folder / "results_rank_3.csv");
+  BOOST_TEST(
+    (files_of_ranks(folder, name) ==
+     std::vector<std::string>{"results_rank_2.csv", "results_rank_10.csv"}));
+  BOOST_TEST(has_checkpoint(folder, name));
 }
 
 BOOST_FIXTURE_TEST_CASE(what_is_no_regular_file_is_refused, ScratchFolder)

@@ -268,6 +268,28 @@ BOOST_FIXTURE_TEST_CASE(what_stood_in_for_a_solver, DrawingRun)
   BOOST_TEST(summary_of(table).n_fallbacks == 0u);
 }
 
+// whatever came first, as parts and ranks have it
+BOOST_AUTO_TEST_CASE(columns_that_lead)
+{
+  ResultsTable table;
+  table.set("state", 3);
+  table.set("converged", false);
+  table.end_row();
+  table.set("state", 1);
+  table.set("x", 1. / 3);
+  table.end_row();
+  table.lead_with({"state", "none", "x"});
+  BOOST_TEST(table.csv() == "state,x,converged\n3,,false\n1,0.333333333,\n");
+  BOOST_TEST(table.number(1, "x").value() == 1. / 3);
+  table.set("converged", true);
+  table.set("x", 2);
+  table.end_row();
+  BOOST_TEST(contains(table.csv(), "\n,2,true\n"));
+  BOOST_TEST(table.written_number(1, "x").value() == 0.333333333);
+  BOOST_TEST(table.written_number(0, "converged").value() == 0.);
+  BOOST_TEST(!table.written_number(0, "x").has_value());
+}
+
 BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
 {
   ResultsTable table, more, again;

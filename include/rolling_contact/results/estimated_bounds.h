@@ -25,7 +25,7 @@ namespace RollingContact
    * itself, and the sum at least 1.3 times that. What is missing in the bulk
    * comes to it, 0.8 times, and 1.3 times under a given approach, whose load
    * has it in full. The weights hold 99 % of one set of random scenes and are
-   * judged on others, see doc/accuracy.md.
+   * judged on others, see doc/explanation/errors.md.
    */
   ErrorBounds estimated_bounds(const BoundCircumstances &found,
                                const ErrorEstimate      &estimate,

@@ -39,6 +39,31 @@ namespace RollingContact
       Log &log;
     };
 
+    /** While it lives, nothing is said but warnings that were not said before:
+     * for work that is done a second time. */
+    class Again
+    {
+    public:
+      explicit Again(Log &log)
+        : silence(log)
+        , log(log)
+      {
+        ++log.repetitions;
+      }
+
+      ~Again()
+      {
+        --log.repetitions;
+      }
+
+      Again(const Again &)            = delete;
+      Again &operator=(const Again &) = delete;
+
+    private:
+      const Silence silence;
+      Log          &log;
+    };
+
     /** Writes to std::cout, warnings and errors to std::cerr; on other ranks
      * than the root nowhere. */
     explicit Log(Verbosity verbosity);
@@ -62,7 +87,7 @@ namespace RollingContact
     std::ostream            &out;
     std::ostream            &errors;
     std::vector<std::string> kept_warnings;
-    unsigned int             silences = 0; ///< that live
+    unsigned int             silences = 0, repetitions = 0; ///< that live
   };
 } // namespace RollingContact
 

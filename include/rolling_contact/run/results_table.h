@@ -52,6 +52,10 @@ namespace RollingContact
     /** Another file, when flush() is called. */
     ResultsTable(RunFolder &folder, const std::string &file_name);
 
+    /** Rows of results.csv that this rank alone has, row by row in the file
+     * that it keeps of them, see RunFolder::claim_for_ranks(). */
+    static ResultsTable of_rank(RunFolder &folder, const unsigned int rank);
+
     ResultsTable() = default;
 
     /** Writes rows of results.csv not yet in the file; unfinished rows are
@@ -108,6 +112,10 @@ namespace RollingContact
      * it. */
     void sort_by(const std::string &column);
 
+    /** Puts the columns of these names first, in their order; the others
+     * follow in theirs. */
+    void lead_with(const std::vector<std::string> &names);
+
     /** Writes rows not yet in the file. */
     void flush();
 
@@ -125,6 +133,11 @@ namespace RollingContact
      * set or is no number. */
     std::optional<double> number(const std::size_t  row,
                                  const std::string &column) const;
+
+    /** As number(), with the digits that the file has, which a run that is
+     * resumed reads. */
+    std::optional<double> written_number(const std::size_t  row,
+                                         const std::string &column) const;
 
     /** A cell as it stands in the file, but not quoted; empty if it was never
      * set. */
@@ -160,12 +173,17 @@ namespace RollingContact
 
     std::string csv_of(const Row &row) const;
 
+    ResultsTable(RunFolder         &folder,
+                 const std::string &file_name,
+                 const bool         is_of_rank);
+
     void write_now_and_then();
 
     void update_csv() const;
 
     RunFolder                         *folder     = nullptr;
     bool                               row_by_row = false;
+    bool                               is_of_rank = false;
     std::string                        file_name;
     std::vector<std::string>           column_names;
     std::map<std::string, std::size_t> column_numbers;

@@ -61,7 +61,8 @@ namespace RollingContact
     {
       /** Entries of used.prm, or sections as "Section/". */
       std::set<std::string> may_differ;
-      /** Without this published file there is nothing to resume. */
+      /** Without this published file, or one that a rank wrote of it, there
+       * is nothing to resume. */
       std::string checkpoint;
       /** Their temporary forms are kept for the new run to continue. */
       std::set<std::string> growing_files;
@@ -124,6 +125,21 @@ namespace RollingContact
     void write_pieces(const std::vector<std::string> &names,
                       const std::string              &text);
 
+    /**
+     * Each rank but the root may write its rows of the file @p name to a file
+     * of its own, rank_file_name(), by write_of_rank() and alone; the run that
+     * follows finds them even if this one is killed. Collective: errors are
+     * thrown on all ranks.
+     */
+    void claim_for_ranks(const std::string &name);
+
+    /** Replaces the file of this rank in one step. Not collective. */
+    void write_of_rank(const std::string &name, const std::string &text);
+
+    /** Removes the files of all ranks, of any number of them. Only for the
+     * root. */
+    void remove_files_of_ranks(const std::string &name);
+
     /** Writes run.json; `members` are JSON members without the outer braces,
      * `members_if_stopped` those of the run.json that is left if the process is
      * ended at once, see leave_on_stop(); empty if the run is over. */
@@ -145,6 +161,7 @@ namespace RollingContact
     void lock();
     void unlock();
     void begin(const std::vector<std::string> &names);
+    void forget(const std::string &name);
     void write_run_json() const;
     void claim_old_files();
     void remove_old_files();

@@ -61,9 +61,10 @@ namespace RollingContact
                      const SteadyState<dim> &base);
 
     /**
-     * On bodies that have been kept for all places: back where it is.
+     * When all rows are there: on bodies that have been kept for all places, or
+     * on others where each rank had its own.
      */
-    void prove_on_kept_bodies();
+    void prove_in_the_end();
 
     PairMaker<dim> pair_maker(const LoadBand &band) override
     {

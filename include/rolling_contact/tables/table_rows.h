@@ -70,10 +70,22 @@ namespace RollingContact
   TableStatus status_of_row(const ResultsTable &results, const std::size_t row);
 
   /**
-   * Read the rows that a stopped run has left in the folder. Throws InputError
-   * if they are not those of the plan, as where the file of rows has changed.
+   * Read the rows that a stopped run has left in the folder, in results.csv and
+   * the files of its ranks. Throws InputError if they are not those of the
+   * plan, as where the file of rows has changed.
    */
   void restore_rows(const TablePlan &plan, RunContext &context);
+
+  /**
+   * Add the rows in the files of ranks to those of the results, write
+   * results.csv and remove the files. Rows that are there already are left out:
+   * a run may have been killed before it removed them. Adds to @p numbers the
+   * number of rows of each file. Throws InputError as restore_rows() does. Only
+   * for the root.
+   */
+  void add_rows_of_ranks(const TablePlan          &plan,
+                         RunContext               &context,
+                         std::vector<std::size_t> &numbers);
 
   /**
    * Read the rows that the runs of all parts have left in these folders,
