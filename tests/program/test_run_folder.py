@@ -282,7 +282,7 @@ def test_a_run_that_was_killed_is_resumed_or_replaced(program):
     (None, "SIGXCPU", limited("ulimit -S -t 4")),
 ], ids=["TERM", "USR1", "XCPU", "limit"])
 def test_ends_of_batch_jobs(program, number, says, before):
-    run = begun(program, {"Time/End time": 10}, output="job", before=before)
+    run = begun(program, {"Time/End time": 10, "Time/Checkpoint interval": 1000}, output="job", before=before)
     if number:
         run.send(number)
     done = run.end()
