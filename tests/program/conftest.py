@@ -13,9 +13,11 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 import pytest
@@ -31,6 +33,10 @@ QUICK = {"Mesh/Elements across patch": 12, **QUIET}
 COARSE = {"Mesh/Elements across patch": 10, "Mesh/Growth": 0.7}
 COARSER = {"Mesh/Elements across patch": 12, "Mesh/Growth": 0.5}
 LIGHT = {**COARSER, **QUIET}
+
+# options that many tests share
+VALIDATE = ("--validate",)
+RESUME = ("--resume",)
 
 
 def pytest_addoption(parser):
@@ -191,10 +197,16 @@ class Program:
         assert says in run.messages, run
         return run
 
+    def names(self):
+        """What is in the folder of the test, but for what this class writes."""
+        return sorted(path.name for path in self.folder.iterdir() if not path.name.startswith("."))
+
     def refuses(self, scene, says, *settings, **how):
         """Input that is refused before anything is written."""
+        here = self.names()
         run = self(scene, *settings, code=1, says=says, **how)
         assert not run.folder.exists(), f"{run.folder} was written"
+        assert self.names() == here
         return run
 
     def stop(self):
@@ -209,6 +221,18 @@ def program(request, tmp_path):
     made = Program(request.config.getoption("program"), request.config.getoption("prm"), tmp_path)
     yield made
     made.stop()
+
+
+@pytest.fixture
+def another_user(program):
+    """As program, in a folder that all may enter, with `before` for a run by one who is not root."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.chmod(folder, 0o755)
+        made = Program(shutil.copy(program.path, folder), program.prm, pathlib.Path(folder))
+        made.path.chmod(0o755)
+        made.before = ("setpriv", "--reuid=65534", "--clear-groups") if os.getuid() == 0 else ()
+        yield made
+        made.stop()
 
 
 @pytest.fixture(scope="module")
@@ -235,6 +259,29 @@ def own_mesh(run):
     assert "are coupled to the interface" in run.screen, run
     written(run, "results.csv", "bodies.pvd", "rail.vtu", "interface.pvd")
     summary_has(run, "of mu N (estimate: ")
+
+
+def limited(words):
+    """A run in a shell that sets limits first, as `before`."""
+    return "bash", "-c", f'{words} && exec "$@"', "limited"
+
+
+def kill_and_resume(program, moments, *scene, output, file="checkpoint.bin", begun=lambda run: True, killed=lambda folder: None):
+    """A run that is killed so many seconds after it has begun, each time resumed if there is a file for that, to its end.
+
+    Returns the run and how often it was killed."""
+    for kills, moment in enumerate([*moments, None]):
+        run = program.start(*scene, output=output, options=RESUME if (program.folder / output / file).exists() else ())
+        if moment is not None:
+            run.wait_until(lambda: begun(run))
+            run.wait_until(lambda: False, moment)
+            run.send(signal.SIGKILL)
+        done = run.end()
+        if done.code == 0:
+            break
+        assert moment is not None and done.code == -signal.SIGKILL, done
+        killed(run.folder)
+    return done, kills
 
 
 def summary_has(run, text):
