@@ -95,7 +95,8 @@ namespace RollingContact
     void take_row(const ResultsTable &other, const std::size_t row);
 
     /** Adds all rows of another table at once: a file that is written has all
-     * of them or none. */
+     * of them or none. The table with more columns gives their order, so that
+     * it is the same whichever rows come first. */
     void append(const ResultsTable &other);
 
     /** Forgets all rows of a table without a folder. */
