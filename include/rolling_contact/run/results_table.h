@@ -27,9 +27,10 @@ namespace RollingContact
    * Rows of a CSV file, columns in the order of first use, names with their
    * unit. results.csv has a row for each computed state and is rewritten whole
    * after every row, so an interrupt keeps the rows; beyond a thousand rows at
-   * most once a second, the rest at the end. Other files are written by flush()
-   * alone, all rows or none. Does not own the folder. All MPI ranks have the
-   * rows, the root writes them. A table without a folder writes nothing.
+   * most once a second, and 20 MB a second, the rest at the end. Other files
+   * are written by flush() alone, all rows or none. Does not own the folder.
+   * All MPI ranks have the rows, the root writes them. A table without a folder
+   * writes nothing.
    */
   class ResultsTable
   {
