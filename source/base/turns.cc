@@ -69,6 +69,19 @@ namespace RollingContact
         return before;
       }
 
+      bool is_stopped()
+      {
+        return (window != MPI_WIN_NULL ? add(0) : own) >= end_of_all;
+      }
+
+      /** Whether the next number for this rank is below @p end. */
+      bool has_below(const std::size_t end)
+      {
+        if (!in_hand)
+          in_hand = next();
+        return *in_hand < static_cast<long>(end) && !is_stopped();
+      }
+
       long next()
       {
         if (window != MPI_WIN_NULL)
@@ -95,9 +108,7 @@ namespace RollingContact
     std::optional<std::size_t> Turns::take_below(const std::size_t end)
     {
       const std::lock_guard<std::mutex> lock(counter->mutex);
-      if (!counter->in_hand)
-        counter->in_hand = counter->next();
-      if (*counter->in_hand >= static_cast<long>(end))
+      if (!counter->has_below(end))
         return {};
       const long number = *counter->in_hand;
       counter->in_hand.reset();
@@ -107,9 +118,7 @@ namespace RollingContact
     bool Turns::has_below(const std::size_t end)
     {
       const std::lock_guard<std::mutex> lock(counter->mutex);
-      if (!counter->in_hand)
-        counter->in_hand = counter->next();
-      return *counter->in_hand < static_cast<long>(end);
+      return counter->has_below(end);
     }
 
     void Turns::stop()
@@ -125,8 +134,7 @@ namespace RollingContact
     bool Turns::stopped()
     {
       const std::lock_guard<std::mutex> lock(counter->mutex);
-      return (counter->window != MPI_WIN_NULL ? counter->add(0)
-                                              : counter->own) >= end_of_all;
+      return counter->is_stopped();
     }
   } // namespace Ranks
 } // namespace RollingContact

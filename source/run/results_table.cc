@@ -196,17 +196,6 @@ namespace RollingContact
         leave_empty(other.column_names[k]);
   }
 
-  void ResultsTable::append(const ResultsTable &other)
-  {
-    for (std::size_t row = 0; row < other.rows.size(); ++row)
-      {
-        take_row(other, row);
-        rows.push_back(std::move(current_row));
-        current_row.clear();
-      }
-    write_now_and_then();
-  }
-
   void ResultsTable::clear()
   {
     rows.clear();
@@ -267,9 +256,13 @@ namespace RollingContact
 
   void ResultsTable::write_now_and_then()
   {
-    const auto since_last_write = std::chrono::steady_clock::now() - last_write;
-    if (row_by_row &&
-        (rows.size() <= 1000 || since_last_write > std::chrono::seconds(1)))
+    // the whole file is written: some hundredths of the time, however large
+    const double                        bytes_a_second = 2e7;
+    const std::chrono::duration<double> since_last_write =
+      std::chrono::steady_clock::now() - last_write;
+    if (row_by_row && (rows.size() <= 1000 ||
+                       since_last_write.count() >
+                         std::max(1., csv_text.size() / bytes_a_second)))
       flush();
   }
 

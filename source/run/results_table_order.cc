@@ -6,6 +6,20 @@
 
 namespace RollingContact
 {
+  void ResultsTable::append(const ResultsTable &other)
+  {
+    const bool is_fuller = other.column_names.size() > column_names.size();
+    for (std::size_t row = 0; row < other.rows.size(); ++row)
+      {
+        take_row(other, row);
+        rows.push_back(std::move(current_row));
+        current_row.clear();
+      }
+    if (is_fuller)
+      lead_with(other.column_names);
+    write_now_and_then();
+  }
+
   void ResultsTable::sort_by(const std::string &column)
   {
     std::vector<std::pair<double, std::size_t>> order;

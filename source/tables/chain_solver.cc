@@ -90,10 +90,7 @@ namespace RollingContact
     begin_table_row(plan, state, status, whole);
     whole.take_row(row, 0);
     if (status == TableStatus::solved)
-      {
-        more_columns(scene, steady, whole);
-        chain.columns = whole.columns();
-      }
+      more_columns(scene, steady, whole);
     whole.end_row();
     chain.rows.append(whole);
   }

@@ -27,25 +27,10 @@ namespace RollingContact
       of_run.folder.claim_for_ranks("results.csv");
   }
 
-  void RowsOfRanks::collect(const TablePlan          &plan,
-                            std::vector<std::string> &columns)
+  void RowsOfRanks::collect(const TablePlan &plan)
   {
     if (n_ranks == 1)
       return;
-    for (unsigned int rank = n_ranks; rank-- > 0;)
-      {
-        std::string text;
-        if (Ranks::rank() == rank)
-          for (const std::string &column : columns)
-            text += column + '\n';
-        Ranks::broadcast(text, rank);
-        if (text.empty() || !Ranks::is_root())
-          continue;
-        columns.clear();
-        std::istringstream lines(text);
-        for (std::string column; std::getline(lines, column);)
-          columns.push_back(column);
-      }
     Ranks::on_root([&]() { take_rows(plan); });
     take_warnings();
   }

@@ -243,8 +243,6 @@ namespace RollingContact
       },
       [&](const std::size_t k) {
         context.results.append(solved[k].rows);
-        if (columns.empty())
-          columns = solved[k].columns;
         if (!solved[k].not_enclosed.empty())
           left.push_back(solved[k].not_enclosed);
         solved[k].rows.clear();
@@ -282,7 +280,6 @@ namespace RollingContact
     ResultsTable     &results  = context.results;
     const std::size_t n_solved = results.n_rows() - n_before;
     results.sort_by("state");
-    results.lead_with(columns);
     results.flush();
     const TableSummary summary = summary_of(results);
     summary.note(context.report);

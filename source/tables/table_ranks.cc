@@ -61,7 +61,7 @@ namespace RollingContact
       }
     try
       {
-        rows_of_ranks.collect(plan, columns);
+        rows_of_ranks.collect(plan);
       }
     catch (...)
       {

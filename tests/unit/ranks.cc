@@ -417,6 +417,7 @@ BOOST_AUTO_TEST_CASE(only_the_root_talks)
 BOOST_AUTO_TEST_CASE(rows_that_a_rank_keeps)
 {
   const SharedFolder shared;
+  const unsigned int number = last();
   const bool many = Ranks::count() > 1, is_last = Ranks::rank() == last();
   const std::string name = "results.csv", own = rank_file_name(name, last());
   RunFolder         run(shared.folder, "a", "b");
@@ -424,7 +425,7 @@ BOOST_AUTO_TEST_CASE(rows_that_a_rank_keeps)
   run.claim_for_ranks(name);
   const bool keeps = many && is_last;
   Ranks::apart([&]() { // where each rank is the root
-    ResultsTable rows = ResultsTable::of_rank(run, last());
+    ResultsTable rows = ResultsTable::of_rank(run, number);
     if (!keeps)
       return;
     rows.set("state", 7);

@@ -27,9 +27,10 @@ namespace RollingContact
    * Rows of a CSV file, columns in the order of first use, names with their
    * unit. results.csv has a row for each computed state and is rewritten whole
    * after every row, so an interrupt keeps the rows; beyond a thousand rows at
-   * most once a second, the rest at the end. Other files are written by flush()
-   * alone, all rows or none. Does not own the folder. All MPI ranks have the
-   * rows, the root writes them. A table without a folder writes nothing.
+   * most once a second, and 20 MB a second, the rest at the end. Other files
+   * are written by flush() alone, all rows or none. Does not own the folder.
+   * All MPI ranks have the rows, the root writes them. A table without a folder
+   * writes nothing.
    */
   class ResultsTable
   {
@@ -95,7 +96,8 @@ namespace RollingContact
     void take_row(const ResultsTable &other, const std::size_t row);
 
     /** Adds all rows of another table at once: a file that is written has all
-     * of them or none. */
+     * of them or none. The table with more columns gives their order, so that
+     * it is the same whichever rows come first. */
     void append(const ResultsTable &other);
 
     /** Forgets all rows of a table without a folder. */

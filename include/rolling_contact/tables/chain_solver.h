@@ -18,7 +18,6 @@ namespace RollingContact
   {
     ResultsTable             rows;
     std::vector<std::size_t> not_enclosed;
-    std::vector<std::string> columns; ///< of a row that is solved, in order
   };
 
   /**

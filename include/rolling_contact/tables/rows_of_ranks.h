@@ -5,7 +5,6 @@
 #include <rolling_contact/tables/table_plan.h>
 
 #include <string>
-#include <vector>
 
 namespace RollingContact
 {
@@ -34,11 +33,9 @@ namespace RollingContact
     /**
      * Take the rows of all ranks into the results of the root, which writes
      * results.csv and removes the files of the others, and their warnings into
-     * its log. @p columns are the columns of a solved row as far as this rank
-     * knows them; the root gets those of the lowest rank that does. Throws
-     * InputError on all ranks. Collective.
+     * its log. Throws InputError on all ranks. Collective.
      */
-    void collect(const TablePlan &plan, std::vector<std::string> &columns);
+    void collect(const TablePlan &plan);
 
     /** "2 ranks, 48 to 64 states each"; empty on one rank. For the root, after
      * collect(). */

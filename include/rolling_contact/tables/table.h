@@ -203,12 +203,11 @@ namespace RollingContact
     const unsigned int                 n_threads;
     const std::shared_ptr<SplitBodies> split_bodies =
       std::make_shared<SplitBodies>();
-    std::vector<bool>        has_row;
-    std::vector<std::string> columns;      ///< of a solved row, as they come
-    std::size_t  n_chains = 0, n_mine = 0; ///< chains; states of this part
-    std::size_t  n_before = 0;             ///< rows of a run that is continued
-    unsigned int n_bodies = 0;             ///< sets of them that were built
-    double       seconds  = 0.;            ///< of solving states
+    std::vector<bool> has_row;
+    std::size_t       n_chains = 0, n_mine = 0; ///< chains; states of this part
+    std::size_t       n_before = 0;  ///< rows of a run that is continued
+    unsigned int      n_bodies = 0;  ///< sets of them that were built
+    double            seconds  = 0.; ///< of solving states
   };
 
   /**
