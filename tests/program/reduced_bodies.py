@@ -1,4 +1,4 @@
-"""Vibrations in histories of bodies by their modes, for test_reduced_bodies, test_dampers, test_reduced_driven, test_squeal_onset."""
+"""Vibrations in histories of bodies by their modes, for tests of them."""
 
 import bisect
 import cmath
