@@ -49,6 +49,14 @@ def words(text):
     return " ".join(text.split())
 
 
+def number(text):
+    """The number that a text is, or the text."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 class Table:
     """A CSV file: `table["column"]` are its numbers, nan where a cell is empty."""
 
@@ -83,6 +91,17 @@ class Table:
         kept = [k for k, name in enumerate(self.columns) if name not in columns]
         return [[row[k] for k in kept] for row in [self.columns, *self.rows]]
 
+    def records(self, **cells):
+        """Its rows by the names of columns, those that have these cells; what is a number is one."""
+        rows = [{name: number(text) for name, text in zip(self.columns, row)} for row in self.rows]
+        return [row for row in rows if all(row[name] == value for name, value in cells.items())]
+
+    def record(self, **cells):
+        """The one row that has these cells."""
+        found = self.records(**cells)
+        assert len(found) == 1, f"{self.path}: {len(found)} rows have {cells}"
+        return found[0]
+
 
 class Run:
     """What a run has left: exit code, screen, messages and the files of its folder."""
@@ -100,6 +119,17 @@ class Run:
 
     def table(self, name):
         return Table(self.folder / name)
+
+    def text(self, name):
+        return (self.folder / name).read_text(encoding="utf-8")
+
+    def has(self, *names):
+        """All of these files are there and not empty."""
+        return all((self.folder / name).is_file() and (self.folder / name).stat().st_size > 0 for name in names)
+
+    def points(self, name):
+        """The numbers of each line of the data of a picture."""
+        return [tuple(map(float, line.split())) for line in self.text(name).splitlines() if re.match(r"\s*[-+]?[.\d]", line)]
 
     @property
     def results(self):
