@@ -120,6 +120,12 @@ def test_less_memory_than_the_factor_needs(program):
     assert run.json["status"] == "failed"
 
 
+def test_less_memory_than_both_true_sections_need(program):
+    """Each would fit; both are added up before either is meshed."""
+    run = program("profiles_true_sections", {"Mesh/Elements across patch": 40}, code=1, before=limited("ulimit -v 3000000"), seconds=60)
+    assert re.search("The meshes of wheel and rail would have .* more than 70 % of the", run.messages), run
+
+
 def test_less_memory_than_modes_need(program):
     """MPI would end the process."""
     run = program(HERE / "pair.prm", {"Analysis": "modes", "Output/Plot": "false"}, code=1, before=limited("ulimit -v 800000"), seconds=60)

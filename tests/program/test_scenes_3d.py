@@ -117,3 +117,18 @@ def test_the_force_on_profiles_is_that_of_an_independent_half_space(on_profiles,
     ("creep_curve", "traction_coefficient", 0.2995, 0.3)])
 def test_results_on_profiles(on_profiles, name, column, low, high):
     assert low <= on_profiles(f"profiles_{name}").results.last(column) <= high
+
+
+def test_true_sections_as_half_spaces_and_moments_of_meshes(program, on_profiles):
+    """The force is that of finite elements; web and neck give way alike."""
+    elements = on_profiles("profiles_true_sections").results
+    run = program("profiles_true_sections", {"Mesh/Compliance": "automatic"})
+    assert "The compliance is split" in run.screen
+    forces = [(table.last("force_x_N"), table.last("force_y_N")) for table in (run.results, elements)]
+    assert math.dist(*forces) <= 0.006 * 0.3 * 16000
+    assert 42e-6 <= run.results.last("approach_m") <= 43.2e-6
+
+
+def test_the_root_of_a_flange_is_not_split(program):
+    program("profiles_true_sections", {"Mesh/Compliance": "split", "Profiles/Lateral shift": 0.0062}, code=1,
+            says="the next edge of the Wheel")

@@ -28,7 +28,7 @@ namespace
     scene.rail.block_length          = 0.6;
     scene.contact.normal_load        = 16e3;
     scene.contact.creepages          = {0.001, 0.001, 0.191791};
-    scene.mesh.elements_across_patch = 12;
+    scene.mesh.elements_across_patch = 16;
     scene.mesh.growth                = 0.8;
     scene.output.body_fields         = false;
     scene.profiles.wheel_profile     = "S1002";
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(forces_are_those_of_finite_elements)
   BOOST_TEST(elements.steady.state.approach == split.steady.state.approach,
              boost::test_tools::tolerance(0.01));
   BOOST_TEST(one.max_pressure == other.max_pressure,
-             boost::test_tools::tolerance(5e-3));
+             boost::test_tools::tolerance(8e-3));
   const double bulk = split.steady.estimate->bulk->force / mu_N;
   BOOST_TEST(bulk > 5e-4);
   BOOST_TEST(bulk < 4e-3);
@@ -204,17 +204,59 @@ BOOST_AUTO_TEST_CASE(corners_and_curved_surfaces_are_refused)
   };
   BOOST_TEST(choose([](SceneParameters &) {}, bodies).choice.split);
   check([](SceneParameters &scene) { scene.profiles.shift = 6.2e-3; },
-        "the next edge of the Rail");
+        "the next edge of the Wheel");
   check(
     [](SceneParameters &scene) {
       scene.profiles.surface_kind = Profiles::SurfaceKind::curved;
     },
     "is curved");
+  check([](SceneParameters &scene) { scene.contact.normal_load = 250e3; },
+        "the patch is large for the section");
+  const auto few = [](SceneParameters &scene) {
+    scene.mesh.elements_across_patch = 12;
+  };
+  BOOST_TEST(!choose(few, bodies).choice.split);
+  BOOST_TEST(choose(few, bodies, Compliance::split).choice.split);
   const auto fine = [](SceneParameters &scene) {
     scene.mesh.elements_across_patch = 32;
   };
   BOOST_TEST(!choose(fine, bodies).choice.split);
   BOOST_TEST(choose(fine, bodies, Compliance::split).choice.split);
+}
+
+/**
+ * One body at each place serves all loads there, and S is symmetric.
+ */
+BOOST_AUTO_TEST_CASE(bodies_are_kept_for_other_patches)
+{
+  SceneInMemory run;
+  set_sections(run.scene);
+  SplitBodies                          bodies;
+  std::shared_ptr<const PlacedProfile> placed;
+  const auto rail_under = [&](const double load, const unsigned int across) {
+    run.scene.contact.normal_load = load;
+    const Situation &situation    = run.situation();
+    const auto       grading      = make_grading<3>(
+      situation, StateDemands(), estimate_patch(situation), across, 0.);
+    BodySpec rail = run.situation().rail;
+    rail.profile  = placed ? placed : rail.profile;
+    placed        = rail.profile;
+    return bodies.body_of(rail, grading, false, false);
+  };
+  const auto rail = rail_under(16e3, 16);
+  BOOST_TEST(rail == rail_under(10e3, 32));
+  std::vector<ElasticBody<3>::SurfaceNode> nodes;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      {
+        nodes.emplace_back();
+        nodes.back().position =
+          dealii::Point<3>((i - 2) * 1e-3, (j - 2) * 1e-3, 0.);
+      }
+  const DenseMatrix S = rail->grid_influence(nodes, {0, 1, 2})->of_shapes;
+  BOOST_TEST((S - S.transpose()).norm() < 1e-9 * S.norm());
+  // the web bends across: 30 times what the patch gives way by
+  BOOST_TEST(S(1, 1) > 50 * S(2, 2));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
