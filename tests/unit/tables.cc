@@ -290,6 +290,27 @@ BOOST_AUTO_TEST_CASE(columns_that_lead)
   BOOST_TEST(!table.written_number(0, "x").has_value());
 }
 
+// as of a state that was given up, and of one that is solved
+BOOST_AUTO_TEST_CASE(order_of_columns_whichever_rows_come_first)
+{
+  ResultsTable given_up, solved, one, other;
+  given_up.set("state", 1);
+  given_up.set("converged", false);
+  given_up.end_row();
+  solved.set("state", 2);
+  solved.set("x", 5);
+  solved.set("converged", true);
+  solved.leave_empty("y");
+  solved.end_row();
+  one.append(given_up);
+  one.append(solved);
+  other.append(solved);
+  other.append(given_up);
+  other.sort_by("state");
+  BOOST_TEST(one.csv() == "state,x,converged,y\n1,,false,\n2,5,true,\n");
+  BOOST_TEST(other.csv() == one.csv());
+}
+
 BOOST_AUTO_TEST_CASE(rows_that_are_read_again)
 {
   ResultsTable table, more, again;
