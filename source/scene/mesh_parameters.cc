@@ -124,9 +124,9 @@ namespace RollingContact
       "What the compliance of the contact nodes is made of: `finite elements` "
       "refined to the patch, or `split` into that of a half-space in closed "
       "form and what the body adds, from a mesh that does not know the patch: "
-      "for discs, blocks and sections from files whose edges are far from the "
-      "patch, steady without Output/Body fields or vibrating by their modes, in "
-      "a third of the time. `automatic`: split where its error is below that of "
+      "for discs, blocks, true sections and sections from files whose edges are "
+      "far from the patch, steady without Output/Body fields or vibrating by "
+      "their modes, in a third of the time. `automatic`: split where its error is below that of "
       "the elements across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
       "Further halvings of the element size at the rim of the patch; of a line "
