@@ -46,12 +46,6 @@ namespace RollingContact
     const double of_elements = 1.3;
 
     /**
-     * Elements across the patch from which on the meshes of true sections that
-     * know the patch take longer than those that do not.
-     */
-    const unsigned int fewest_in_sections = 14;
-
-    /**
      * Number of split bodies that are kept.
      */
     const std::size_t most_kept = 8;
@@ -193,10 +187,6 @@ namespace RollingContact
     {
       if (std::abs(pair_constants(scene).dundurs_beta) > largest_beta)
         return "the materials are unlike";
-      if (scene.profiles.has_true_sections() &&
-          grading.elements_across() < fewest_in_sections)
-        return "with true sections and so few elements across the patch these "
-               "take less time";
       const double half_width  = std::abs(grading.leading_edge_x);
       double       over_radius = 0.;
       for (const BodySpec *body : {&scene.wheel, &scene.rail})

@@ -126,9 +126,10 @@ namespace RollingContact
       "How the compliance of the contact nodes is computed. `finite "
       "elements`: by a mesh refined to the patch. `split`: a half-space in "
       "closed form, plus what the body adds by a mesh that is not refined to "
-      "the patch, in a third of the time. Split is for discs, blocks and "
-      "sections from files whose edges are far from the patch, in steady "
-      "states without Output/Body fields and in vibrations by modes. "
+      "the patch, in a third of the time. Split is for discs, blocks, true "
+      "sections and sections from files whose edges are far from the patch, "
+      "in steady states without Output/Body fields and in vibrations by "
+      "modes. "
       "`automatic`: split where its error is below that of the elements "
       "across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =

@@ -210,13 +210,6 @@ BOOST_AUTO_TEST_CASE(corners_and_curved_surfaces_are_refused)
       scene.profiles.surface_kind = Profiles::SurfaceKind::curved;
     },
     "is curved");
-  check([](SceneParameters &scene) { scene.contact.normal_load = 250e3; },
-        "the patch is large for the section");
-  const auto few = [](SceneParameters &scene) {
-    scene.mesh.elements_across_patch = 12;
-  };
-  BOOST_TEST(!choose(few, bodies).choice.split);
-  BOOST_TEST(choose(few, bodies, Compliance::split).choice.split);
   const auto fine = [](SceneParameters &scene) {
     scene.mesh.elements_across_patch = 32;
   };
@@ -251,7 +244,7 @@ BOOST_AUTO_TEST_CASE(bodies_are_kept_for_other_patches)
       {
         nodes.emplace_back();
         nodes.back().position =
-          dealii::Point<3>((i - 2) * 1e-3, (j - 2) * 1e-3, 0.);
+          dealii::Point<2>((i - 2) * 1e-3, (j - 2) * 1e-3);
       }
   const DenseMatrix S = rail->grid_influence(nodes, {0, 1, 2})->of_shapes;
   BOOST_TEST((S - S.transpose()).norm() < 1e-9 * S.norm());
