@@ -282,8 +282,8 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<Corrugation>(
       "corrugation",
-      "whether waves on rail or wheel grow by wear, over wavelength, speed and "
-      "place in the track, see section Corrugation");
+      "whether waves on rail or wheel grow by wear, for each wavelength, "
+      "speed and place in the track, see section Corrugation");
     kind.sections = {"Modes", "Stability", "Corrugation"};
     kind.own_section.emplace(CorrugationParameters());
     kind.axes = [](const SceneParameters &scene) -> std::vector<TableAxis> {

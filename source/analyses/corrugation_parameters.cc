@@ -38,31 +38,32 @@ namespace RollingContact
                                                 std::string(number_list_form) +
                                                 "; empty: Contact/Speed alone.";
     entries.choice("Worn body", worn, worn_bodies).help =
-      "The body whose surface has the waves: on the `rail` each wheel is a "
-      "passage, on the `wheel` each turn, and waves fit round it.";
+      "Body whose surface has the waves. On the `rail` each wheel is a "
+      "passage; on the `wheel` each turn is one, and whole waves fit round it.";
     entries.add("Wear coefficient", wear_coefficient, "m^3/J")
       .at_least(0.)
       .help =
-      "Volume that wears off the body per energy of friction; 6.75e-13 is mild "
-      "wear of rail steel in twin-disc tests (5.3 ug/(m mm^2) per N/mm^2).";
+      "Volume that wears off the body per energy of friction. 6.75e-13 is "
+      "mild wear of rail steel in twin-disc tests (5.3 ug/(m mm^2) per "
+      "N/mm^2).";
     entries.add("Passages", passages, "1").at_least(0.).help =
-      "Number of passages that a column tells the growth of.";
+      "Number of passages over which a column of the results gives the growth.";
     entries.add("Pad offsets", pad_offsets, "m").help =
-      "Places in a bay between sleepers, as Rail/Pad offset, each a rail of "
-      "its own, " +
+      "Places of the wheel in a bay between sleepers, as Rail/Pad offset, "
+      "each with a rail of its own: " +
       std::string(number_list_form) + "; empty: Rail/Pad offset alone.";
     entries.add("Check wavelength", check_wavelength, "m").at_least(0.).help =
-      "A wave that is followed in time, too, at all Speeds and Pad offsets, "
-      "with the wear of its passage: growth beside that of small waves, in "
-      "corrugation_check.csv; 0: none.";
+      "Wavelength of a wave that is followed in time as well, with the wear "
+      "of its passage, at all Speeds and Pad offsets. corrugation_check.csv "
+      "compares its growth with that of small waves. 0: none.";
     entries.add("Check amplitude", check_amplitude, "m")
       .at_least(0.)
       .read_by({asks_own<CorrugationParameters>(
                   [](const auto &section) { return section.follows_wave(); }),
                 "Check wavelength = 0 follows no wave in time"})
-      .help = "Amplitude of that wave. At some 1e-8 m it is small, as all "
-              "others are taken to be; at micrometres its growth tells how far "
-              "that holds.";
+      .help = "Amplitude of the wave of Check wavelength. Some 1e-8 m is "
+              "small, as all other waves are taken to be. At micrometres the "
+              "growth tells how far that assumption holds.";
   }
 
   void CorrugationParameters::check() const

@@ -272,7 +272,8 @@ namespace RollingContact
   {
     AnalysisKind kind =
       kind_of<CreepCurve>("creep curve",
-                          "many creepages, see section Creep curve");
+                          "steady states at many creepages, see section Creep "
+                          "curve");
     kind.sections = {"Creep curve"};
     kind.own_section.emplace(CreepCurveParameters());
     kind.own_creepages = &creepages_of_curve;

@@ -167,8 +167,8 @@ namespace RollingContact
         log.message("Receptance/Decay rates: vibration is that of the mesh up "
                     "to " +
                     significant((n_places - 1) * step, 3) +
-                    " m from the contact, where it has no absorbing end, and "
-                    "beyond that of waves fitted from " +
+                    " m from the contact, where the rail has no absorbing "
+                    "end. Beyond, it is that of waves fitted from " +
                     significant(first * step, 3) + " m on.");
         for (std::size_t d = 0; d < decay_directions.size(); ++d)
           {
@@ -185,8 +185,9 @@ namespace RollingContact
             const std::string what =
               "these waves are off by " + significant(100 * misfit, 2) +
               " % of the " + decay_directions[d].name +
-              " motion at most, and what comes back from the end is up to " +
-              significant(100 * returning, 2) + " % of that at the contact";
+              " motion at most, and the reflection from the end is up to " +
+              significant(100 * returning, 2) +
+              " % of the motion at the contact";
             if (doubtful.empty())
               log.detail("Receptance/Decay rates: " + what + ".");
             else

@@ -83,9 +83,9 @@ namespace RollingContact
         kind != SlipOperatorKind::calibrated)
       log.warning("Part of the patch sticks, " + std::to_string(n_stick) +
                   " of " + std::to_string(n) +
-                  " nodes. Its leading edge moves with the load, which "
+                  " nodes. Its leading edge moves with the load, and "
                   "Contact/Slip operator = " +
-                  name_of(kind) + " does not know; take calibrated.");
+                  name_of(kind) + " leaves that out; take calibrated.");
   }
 
   template SteadyState<2> disturbed_state(const Situation &, RunContext &);

@@ -23,10 +23,9 @@ namespace RollingContact
   {
     entries.section("Impact").read_by_analyses("impact");
     entries.add("Speeds", speeds, "m/s").help =
-      "Rolling speeds, each a run of its own of section Time, " +
+      "Rolling speeds, each with a run of section Time, " +
       std::string(number_list_form) +
-      "; they have the direction of Contact/Speed, which alone is taken where "
-      "this is empty.";
+      "; all in the direction of Contact/Speed. Empty: Contact/Speed alone.";
   }
 
   void ImpactParameters::check() const
@@ -115,9 +114,10 @@ namespace RollingContact
         if (dent && dent->kind == Dent::Kind::flat)
           context.log.warning(
             entry + " = " + height +
-            ": pressures on the edges of a fresh flat grow with finer elements "
-            "without limit, so that largest_pressure_Pa is that of this mesh; "
-            "edges are rolled round soon, take dip : LENGTH, DEPTH.");
+            ": pressures on the edges of a fresh flat grow without limit as "
+            "elements become finer, so that largest_pressure_Pa holds for "
+            "this mesh only. Edges soon become round; take dip : LENGTH, "
+            "DEPTH.");
       }
   }
 
@@ -254,10 +254,11 @@ namespace RollingContact
       if (scene.inputs->contact.normal_load && !time.hold_approach)
         throw InputError(why + "with Contact/Normal load the load stays what "
                                "it is; set Time/Hold approach = true, which "
-                               "takes it as that of the start.");
+                               "uses it for the start only.");
       if (!time.normal_load.empty() || !time.approach.empty())
-        throw InputError(why + "Time/Normal load and Approach would drive the "
-                               "wheel beside the surfaces; leave them empty.");
+        throw InputError(why + "Time/Normal load and Approach would move the "
+                               "wheel in addition to the surfaces; leave them "
+                               "empty.");
       const double fastest =
         scene.inputs->own<ImpactParameters>()
           .speeds_or(std::abs(scene.contact.rolling_speed()))
@@ -267,8 +268,9 @@ namespace RollingContact
         throw InputError(why + "a run at " + significant(fastest, 3) +
                          " m/s has " + std::to_string(steps.number) +
                          " steps of " + significant(steps.length, 4) +
-                         " s, and longer ones tell its error; take a shorter "
-                         "Time/Time step or Step length.");
+                         " s, too few for runs with longer steps that tell "
+                         "its error; take a shorter Time/Time step or Step "
+                         "length.");
       if (scene.mesh.adaptive_levels > 0 || scene.mesh.target_error)
         throw InputError(why + "Mesh/Adaptive levels and Target error are not "
                                "for it; give Mesh/Elements across patch.");
@@ -290,8 +292,8 @@ namespace RollingContact
             throw InputError(
               "Surfaces/Position = " + text_of(surfaces.position) + ": " +
               given +
-              " is under the wheel at the start, where the load is that at "
-              "rest; begin before it, at a Position of -" +
+              " is under the wheel at the start, where the load must be that "
+              "at rest; begin before it, at a Position of -" +
               significant(before, 3) + " m or less.");
           if (surfaces.position < 0. && surfaces.most_rolled < 0.)
             throw InputError("Time/Rolled distance or End time: runs end " +
@@ -312,8 +314,8 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<Impacts>(
       "impact",
-      "the largest load and pressure over speed as a wheel runs over a flat, a "
-      "dip or whatever is on the surfaces, see sections Time and Impact");
+      "the largest load and pressure over the speed as a wheel runs over a "
+      "flat, a dip or any other surface, see sections Time and Impact");
     kind.sections = {"Time", "Impact"};
     kind.own_section.emplace(ImpactParameters());
     kind.axes = [](const auto &scene) -> std::vector<TableAxis> {

@@ -20,22 +20,23 @@ namespace RollingContact
   {
     entries.section("Limit cycle").read_by_analyses("limit cycle");
     entries.add("Starts", starts, "Hz").help =
-      "The vibrations that runs begin in, each with Time/Excite velocity: "
-      "`all` that grow, or frequencies near theirs, " +
+      "Vibrations in which runs start, each with Time/Excite velocity: `all` "
+      "that grow, or frequencies near theirs, " +
       std::string(number_list_form) +
-      ". With an axis they are those of the first value where any grows.";
+      ". With an axis they are the vibrations at the first value where any "
+      "grows.";
     entries.add("Axis", axis)
       .one_of("none|Contact/Friction coefficient|Stability/Added damping")
       .help =
-      "The entry along which each cycle is followed: every value starts from "
-      "the cycle of the one before, about its own steady state. `none`: the "
+      "Entry along which each cycle is followed. Every value starts from the "
+      "cycle at the value before, about its own steady state. `none`: the "
       "scene as it is.";
-    entries.add("Values", values, "1").help = "The values of `Axis`, " +
+    entries.add("Values", values, "1").help = "Values of `Axis`, " +
                                               std::string(number_list_form) +
-                                              ", in its unit.";
+                                              ", in the unit of that entry.";
     entries.choice("Direction", direction, sweep_directions).help =
-      "Whether the values are taken `up`, `down` or `both`, up and then down "
-      "again, which shows hysteresis.";
+      "Order of the values: `up`, `down`, or `both`, which is up and then "
+      "down again and shows hysteresis.";
   }
 
   std::vector<double> LimitCycleParameters::start_frequencies() const

@@ -165,7 +165,7 @@ namespace RollingContact
   {
     entries.section("Load curve").read_by_analyses("load curve");
     entries.list("Shares of load", load_fractions, "0.1 : 1 : 10", "1").help =
-      "Loads over the one of section Contact, for which the mesh is "
+      "Loads, divided by the load of section Contact for which the mesh is "
       "made: " +
       std::string(number_list_form) + ".";
   }
@@ -176,7 +176,7 @@ namespace RollingContact
       if (!(fraction > 0. && fraction <= 1.))
         throw InputError("Load curve/Shares of load contains " +
                          significant(fraction, 15) +
-                         ", which is not above 0 and at most 1.");
+                         ": give shares above 0 and at most 1.");
   }
 
   AnalysisKind load_curve_kind()

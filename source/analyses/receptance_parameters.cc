@@ -65,40 +65,40 @@ namespace RollingContact
     entries.add("Highest frequency", highest_frequency, "Hz")
       .at_least(0.)
       .help =
-      "Last frequency of the receptances; modes are found up to Modes/Cut-off "
+      "Last frequency of the receptances. Modes are found up to Modes/Cut-off "
       "ratio times it.";
     entries.add("Frequencies per octave", per_octave, "1")
       .between(1, 1000)
       .help =
-      "Frequencies in a doubling, with equal ratios; those of lightly damped "
-      "modes are added.";
+      "Number of frequencies in an octave, with equal ratios. Frequencies of "
+      "lightly damped modes are added.";
     entries.add("Points", points).help =
       "Named places beside `contact`, the contact point of "
       "each body: " +
       std::string(place_form);
     entries.add("Directions", directions).help =
-      "Of forces and motions: x along the track, y across it, z vertical, "
-      "separated by commas.";
+      "Directions of forces and motions: x along the track, y across it, z "
+      "vertical, separated by commas.";
     entries.add("Load radius", load_radius, "m").at_least(0.).help =
       "A force is spread over the part of the body within this distance of "
       "its place, and a motion is the mean over that part. A force on a point "
       "would give a receptance that grows with every refinement of the mesh.";
     entries.list("Check frequencies", check_frequencies, "", "Hz").help =
-      "Where the equations of the whole body are solved as well, with a "
-      "complex factor, to know the error of the modes: " +
+      "Frequencies at which the equations of the whole body are solved as "
+      "well, with a complex factorisation, to tell the error of the modes: " +
       std::string(number_list_form) + ".";
     entries.add("Decay rates", decay_rates).help =
-      "Write track_decay.csv: by how many dB/m vibration of the rail fades from "
-      "its contact point, vertically and across, in third octaves from 100 Hz "
-      "to 5 kHz, as EN 15461 measures it.";
+      "Whether track_decay.csv is written: by how many dB/m the vertical and "
+      "the lateral vibration of the rail fade from its contact point, in "
+      "third octaves from 100 Hz to 5 kHz, as EN 15461 measures it.";
     entries.add("Measured wheel", measured_wheel).help =
       "File with columns of frequency (Hz) and absolute receptance (m/N), "
-      "drawn beside the wheel's point receptance in the first of the "
-      "directions; relative to the folder of the .prm file.";
+      "relative to the folder of the .prm file. It is drawn beside the "
+      "wheel's point receptance in the first of Directions.";
     entries.add("Measured rail", measured_rail).help =
       "File with columns of frequency (Hz) and absolute receptance (m/N), "
-      "drawn beside the rail's point receptance in the first of the "
-      "directions; relative to the folder of the .prm file.";
+      "relative to the folder of the .prm file. It is drawn beside the rail's "
+      "point receptance in the first of Directions.";
   }
 
   void ReceptanceParameters::check_in_2d() const

@@ -28,8 +28,8 @@ namespace RollingContact
   {
     if (!section.check_frequencies.empty())
       context.log.warning(
-        "Receptance/Check frequencies has no effect on a rail "
-        "without ends, whose error a coarser section tells.");
+        "Receptance/Check frequencies has no effect on a rail without ends: "
+        "its error is found with a coarser section.");
     std::vector<Station> stations;
     DenseMatrix          y = columns_of(loads(body, stations), body.K.size());
     std::vector<ComplexMatrix> alpha;
@@ -71,7 +71,7 @@ namespace RollingContact
       {"receptance of the " + name_of(body.side),
        body.waves->lower_degree_error(throw_if_interrupted),
        "the largest at that frequency",
-       "a coarser section, but for what the mesh leaves out at rest",
+       "a coarser section, without the error of the mesh at rest",
        true,
        ""});
     if (scene.inputs->output.plot)

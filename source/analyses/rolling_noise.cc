@@ -68,8 +68,8 @@ namespace RollingContact
     if (radiators.empty())
       throw InputError("Modes/Maximum frequency = " +
                        text_of(scene.inputs->modes.maximum_frequency) +
-                       " Hz: no body has a mode up to there, and sound is "
-                       "estimated from modes; take more.");
+                       " Hz: no body has a mode below it, and the sound is "
+                       "estimated from modes; give a higher frequency.");
   }
 
   double RollingNoise::Radiator::power(const PassingWaves::Passed &passed,
@@ -278,8 +278,9 @@ namespace RollingContact
   {
     if (n_coarse > 0)
       context.log.warning(std::to_string(n_coarse) +
-                          " third octaves have resonances so sharp that their "
-                          "powers are known to less than " +
+                          " third octaves have resonances too sharp for the "
+                          "frequencies that were computed: their powers are "
+                          "known to no better than " +
                           significant(100 * tolerance, 2) + " %.");
     std::optional<double> largest;
     for (const NoiseOfSpeed &it : found)
@@ -292,8 +293,8 @@ namespace RollingContact
                                        "elements of twice the length",
                                        true,
                                        significant(*largest, 2) +
-                                         " dB, without what the estimate of "
-                                         "radiation is off"});
+                                         " dB, without the error of the "
+                                         "radiation estimate"});
     else
       warn_of_unknown_halves("the noise", context.log);
     report_noise(found,
@@ -330,8 +331,8 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<RollingNoise>(
       "rolling noise",
-      "the sound of wheel and rail by the roughness of their surfaces, over "
-      "frequency and speed, see section Rolling noise");
+      "the sound of wheel and rail that the roughness of their surfaces "
+      "makes, over frequency and speed, see section Rolling noise");
     kind.sections = {"Modes", "Stability", "Rolling noise", "Sound"};
     kind.own_section.emplace(RollingNoiseParameters());
     kind.axes = [](const SceneParameters &scene) {

@@ -27,23 +27,25 @@ namespace RollingContact
     entries.add("Rail roughness", rail_roughness).help =
       "Roughness of the rail: " + forms;
     entries.add("Wheel roughness", wheel_roughness).help =
-      "Roughness of the wheel, which adds in energy: " + forms;
+      "Roughness of the wheel, whose energy is added to that of the rail: " +
+      forms;
     entries.choice("Contact filter", filter, contact_filters).help =
-      "What the contact feels of waves: `random across` of waves that cohere "
-      "across by Coherence across, `patch` of waves alike across, both by the "
-      "patch itself; `table` by the tables of the directive (EU) 2021/1226 for "
-      "wheels of 920 mm.";
+      "How the contact filters waves. `random across`: waves cohere across "
+      "the track by Coherence across; `patch`: waves are alike across it; "
+      "both use the patch itself. `table`: the tables of the directive (EU) "
+      "2021/1226 for wheels of 920 mm.";
     entries.add("Coherence across", coherence, "1")
       .at_least(0.)
       .read_by({asks_own<RollingNoiseParameters>([](const auto &noise) {
                   return noise.filter == ContactFilter::random_across;
                 }),
                 "Contact filter = random across reads it"})
-      .help = "c: places y and y' across cohere by exp(-c k |y - y'|), k = "
-              "2 pi over the wavelength; 0 is `patch`.";
+      .help = "Decay c of the coherence across the track: places y and y' "
+              "cohere by exp(-c k |y - y'|), k = 2 pi over the wavelength. 0 "
+              "is the same as `patch`.";
     entries.add("Pad offsets", pad_offsets, "m").help =
-      "Places in a bay between sleepers, as Rail/Pad offset, each a rail of "
-      "its own, whose powers are averaged, " +
+      "Places of the wheel in a bay between sleepers, as Rail/Pad offset, "
+      "each with a rail of its own. Their sound powers are averaged. Give " +
       std::string(number_list_form) + "; empty: Rail/Pad offset alone.";
   }
 

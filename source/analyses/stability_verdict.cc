@@ -58,7 +58,8 @@ namespace RollingContact
              (threshold.share > 0. ? " (" + percent(threshold.share) + ")"
                                    : "") +
              (threshold.by_sticking
-                ? ", where a node begins to stick: as fine as the mesh"
+                ? ", where a node begins to stick, known to an element of the "
+                  "mesh only"
                 : "");
     }
 
@@ -112,13 +113,13 @@ namespace RollingContact
                             it.mode,
                             significant(it.frequency, 5));
       return text +
-             "\nOne quantity is changed at a time, on the same mesh; the "
-             "smallest change first, as a share of the value or of all "
-             "creepage. +- has the interval that is left, what the whole "
-             "bodies differ by, and where a node begins to stick the part of "
-             "the value that one element is of the patch. Added damping is "
-             "a ratio of all modes of the bodies, each at its own "
-             "frequency.\n";
+             "\nOne quantity is changed at a time, on the same mesh. The "
+             "smallest change comes first; change is a share of the value, or "
+             "of all creepage. +- includes the interval that the search "
+             "leaves and the difference from the whole bodies. Where a node "
+             "begins to stick, it also includes the share of the patch that "
+             "one element has. Added damping is a damping ratio of all modes "
+             "of the bodies, each at its own frequency.\n";
     }
 
     void write_thresholds(const std::vector<DrivingThreshold> &thresholds,
@@ -208,8 +209,8 @@ namespace RollingContact
     text[text.find("\n\n") + 2] = std::toupper(text[text.find("\n\n") + 2]);
     if (squeals)
       text += "\n" + table_of_modes(findings, names) +
-              "\n+- is the last change by the equations of the whole bodies; "
-              "what meshes and damping leave open comes on top.\n";
+              "\n+- is the last change by the equations of the whole bodies. "
+              "The errors of mesh and damping come in addition.\n";
     if (!thresholds.empty())
       {
         write_thresholds(thresholds, context.folder);

@@ -115,9 +115,10 @@ namespace RollingContact
     errors.force = mu > 0. ? error(found.force_largest / mu) : 0.;
     if (std::isfinite(errors.load) && std::isfinite(errors.force))
       return errors;
-    context.log.warning("The error of the time step is not known: with steps "
-                        "of twice the length the bodies touch at the end, in "
-                        "the run they do not. Take a smaller Time/Time step.");
+    context.log.warning(
+      "The error of the time step is not known: at the end "
+      "the bodies touch with steps of twice the length, but "
+      "not in the run itself. Take a smaller Time/Time step.");
     return {};
   }
 
@@ -131,10 +132,10 @@ namespace RollingContact
                             std::to_string(fewest_steps) + " steps.");
         return {};
       }
-    context.log.message("The run once more with " +
+    context.log.message("The run is repeated with " +
                         std::to_string(longer.number) + " steps of " +
                         significant(longer.length, 4) +
-                        " s, for the error of the time step (Time/Step "
+                        " s, to find the error of the time step (Time/Step "
                         "estimate).");
     const auto failed = [&](const std::exception &error) {
       context.log.warning(
@@ -149,8 +150,8 @@ namespace RollingContact
       }
     catch (const Interrupted &)
       {
-        context.log.message("Interrupted: the run is complete, the error of "
-                            "its time step is not estimated.");
+        context.log.message("Interrupted: the run is complete, but the error "
+                            "of its time step is not estimated.");
       }
     catch (const ConvergenceError &error)
       {

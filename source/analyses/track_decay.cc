@@ -164,9 +164,9 @@ namespace RollingContact
             "Receptance/Decay rates: " + decay_directions[d].name +
             " vibration in the bands " + which +
             " Hz fades by less than twice " + significant(grid.floor(), 2) +
-            " dB/m, which is what the places of EN 15461 to " +
+            " dB/m, the least rate that the places of EN 15461 up to " +
             significant(grid.distances().back(), 3) +
-            " m can tell: these rates are bounds from above.");
+            " m can show: these rates are upper bounds.");
       }
   }
 

@@ -25,7 +25,7 @@ namespace RollingContact
     if (!bodies_touch(scene))
       throw InputError("Analysis = transient needs a patch to make the mesh "
                        "for: give Contact/Approach or Contact/Normal load "
-                       "above 0; Time/Approach tells what really happens.");
+                       "above 0; Time/Approach gives the motion in time.");
     Checkpoint start;
     if (context.resume)
       start = read_checkpoint(context.folder);
@@ -198,7 +198,8 @@ namespace RollingContact
         context.report.set_finding(
           "law",
           "friction falls " + significant(falling->gain(), 3) +
-            " times as fast as waves take it away: no limit for finer elements");
+            " times as fast as the bodies radiate waves: no limit for finer "
+            "elements");
       }
     context.report.set_finding(
       "end",

@@ -222,16 +222,18 @@ namespace RollingContact
         }
       const double r = std::hypot(at[0], at[1]), chi = fading.at(r),
                    G = material.shear_modulus(), nu = material.poisson_ratio,
-                   chi_x    = fading.slope(r) * at[0] / r,
-                   chi_y    = fading.slope(r) * at[1] / r;
+                   share = fading.first_order_at(r),
+                   // of share chi^2 along the distance
+        along = 2 * share * chi * fading.slope(r) +
+                chi * chi * fading.first_order_slope(r),
+                   slope_x = along * at[0] / r, slope_y = along * at[1] / r;
       const OfLoads common  = 2 * G * nu / (1 - nu) * (state.xx + state.yy),
-                    along_x = chi_x * (2 * G * state.xx + common) +
-                              chi_y * 2 * G * state.xy,
-                    along_y = chi_x * 2 * G * state.xy +
-                              chi_y * (2 * G * state.yy + common);
-      return chi * chi * work(state, material) -
-             2 * chi *
-               (u[0].transpose() * along_x + u[1].transpose() * along_y);
+                    along_x = slope_x * (2 * G * state.xx + common) +
+                              slope_y * 2 * G * state.xy,
+                    along_y = slope_x * 2 * G * state.xy +
+                              slope_y * (2 * G * state.yy + common);
+      return share * chi * chi * work(state, material) -
+             (u[0].transpose() * along_x + u[1].transpose() * along_y);
     }
   } // namespace
 
@@ -252,7 +254,7 @@ namespace RollingContact
                    work(loads.at(i, j), material);
         }
     const dealii::QGauss<1> along(rings);
-    const double            width = fading.outer - fading.inner;
+    const double            width = fading.first_order().outer - fading.inner;
     for (unsigned int k = 0; k < rings; ++k)
       for (unsigned int l = 0; l < points_along_ring; ++l)
         {

@@ -6,6 +6,7 @@
 #include <rolling_contact/bodies/faded_fields.h>
 #include <rolling_contact/bodies/hookes_law.h>
 #include <rolling_contact/bodies/moment_fields.h>
+#include <rolling_contact/bodies/rigid_work.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,12 @@ namespace RollingContact
 
   namespace
   {
+    /**
+     * Height of a surface over the distance from the contact point from which
+     * on it is not the one that runs through that point.
+     */
+    const double most_slope = 0.5;
+
     /**
      * chi and its gradient.
      */
@@ -92,7 +99,15 @@ namespace RollingContact
 
       void add_inside(const unsigned int point);
 
-      void add_on_surface(const unsigned int point);
+      /**
+       * What tractions on the surface to first order in its height count, over
+       * those at the surface itself.
+       */
+      double share_of_first_order(const unsigned int point) const;
+
+      void add_first_order(const unsigned int point);
+
+      void add_exact(const unsigned int point);
 
       /**
        * Let forces and stresses work on the shape functions at a point.
@@ -144,7 +159,10 @@ namespace RollingContact
           {
             on_face.reinit(cell, face);
             for (unsigned int q = 0; q < on_face.n_quadrature_points; ++q)
-              add_on_surface(q);
+              {
+                add_first_order(q);
+                add_exact(q);
+              }
           }
       if (on_cell.isZero(0.))
         return;
@@ -178,7 +196,8 @@ namespace RollingContact
     void Loads::add_inside(const unsigned int point)
     {
       Point<3> at = values.quadrature_point(point);
-      at[2]       = std::min(at[2], 0.);
+      if (!region.may_be_steep())
+        at[2] = std::min(at[2], 0.);
       const Fading chi(at, region);
       if (chi.gradient.norm_square() == 0.)
         return;
@@ -199,28 +218,64 @@ namespace RollingContact
       Q.noalias() += values.JxW(point) * (loads * faded.transpose());
     }
 
-    void Loads::add_on_surface(const unsigned int point)
+    double Loads::share_of_first_order(const unsigned int point) const
     {
-      Point<3> at = on_face.quadrature_point(point);
-      at[2]       = 0.;
+      if (!region.may_be_steep())
+        return 1.;
+      const Point<3> &at = on_face.quadrature_point(point);
+      const double    r  = std::hypot(at[0], at[1]);
+      return std::abs(at[2]) < most_slope * r ? region.first_order_at(r) : 0.;
+    }
+
+    void Loads::add_first_order(const unsigned int point)
+    {
+      Point<3> at        = on_face.quadrature_point(point);
+      at[2]              = 0.;
+      const double share = share_of_first_order(point);
       const Fading chi(at, region);
-      if (chi.value == 0. || at.norm() < region.loads_end())
+      if (share == 0. || chi.value == 0. || at.norm() < region.loads_end())
         return;
       const Material &material = body.elasticity().core;
       const auto      fields   = moment_fields(at, material);
       // h dx dy, and derivatives along x and y only
       const double weight =
         -shape.height_as_made(at[0], at[1]) * on_face.normal_vector(point)[2];
+      const Tensor<1, 3> slope =
+        share * chi.gradient + chi.value * region.first_order_slope(at.norm()) /
+                                 at.norm() * Tensor<1, 3>(at);
       Pairs loads(n, 12);
       for (std::size_t k = 0; k < n; ++k)
         {
           Tensor<2, 3> sigma = stress(fields[k].gradient, material);
           for (unsigned int d = 0; d < 3; ++d)
             sigma[d][2] = 0.;
-          loads.row(k) = pair_of(weight * (sigma * chi.gradient),
-                                 -weight * chi.value * sigma);
+          loads.row(k) = pair_of(weight * (sigma * slope),
+                                 -weight * share * chi.value * sigma);
         }
       add(on_face, point, loads);
+    }
+
+    void Loads::add_exact(const unsigned int point)
+    {
+      const Point<3> &at    = on_face.quadrature_point(point);
+      const double    share = 1 - share_of_first_order(point);
+      const Fading    chi(at, region);
+      if (share == 0. || chi.value == 0.)
+        return;
+      const Material &material = body.elasticity().core;
+      const auto      fields   = moment_fields(at, material);
+      Pairs           loads(n, 12), faded(n, 12);
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          const auto &[u, gradient] = fields[k];
+          loads.row(k)              = pair_of(-share * chi.value *
+                                   (stress(gradient, material) *
+                                    Tensor<1, 3>(on_face.normal_vector(point))),
+                                 Tensor<2, 3>());
+          faded.row(k)              = pair_of(chi.value * u, Tensor<2, 3>());
+        }
+      add(on_face, point, loads);
+      Q.noalias() += on_face.JxW(point) * (loads * faded.transpose());
     }
 
     /// of the inner radius, within which fields are those at this distance
@@ -254,6 +309,8 @@ namespace RollingContact
   {
     const Loads loads(body, shape, fading);
     F = as_unknowns(body, loads.F);
+    if (fading.may_be_steep())
+      F += missing_rigid_work(body, shape, fading, F);
     Q = (loads.Q + loads.Q.transpose()) / 2;
   }
 

@@ -28,6 +28,25 @@ namespace RollingContact
     const double elements_of_own_cells = 7.;
 
     /**
+     * Growth of the elements away from there, and in true sections, whose cells
+     * are many as it is.
+     */
+    const double growth = 0.8, growth_of_sections = 1.5;
+
+    /**
+     * The region within which the half-space fades out in the second set of
+     * fields of a true section, over that of the first: cells are larger beside
+     * it, as those of a coarser mesh would be.
+     */
+    const double smaller = 0.7;
+
+    /**
+     * Half-widths of the patch for which both are compared, over the inner
+     * radius. Loads on it are within the smaller region.
+     */
+    const double compared_patch = 0.25;
+
+    /**
      * What second order in the curvature may add, over what first order does.
      */
     const double of_second_order_in_curvature = 1. / 3;
@@ -45,8 +64,8 @@ namespace RollingContact
         larger * fading.outer /
         (shape.has_own_cells() ? elements_of_own_cells : elements_of_radius);
       grading.zone_x = grading.zone_y = grading.zone_depth = fading.outer / 2;
-      grading.growth                                       = 0.8;
-      grading.is_alone                                     = true;
+      grading.growth   = fading.may_be_steep() ? growth_of_sections : growth;
+      grading.is_alone = true;
       return grading;
     }
 
@@ -115,6 +134,34 @@ namespace RollingContact
     {
       return fields.F.transpose() * body.solve(fields.F) + fields.Q;
     }
+
+    /**
+     * How the moments @p of_mesh change where the half-space fades out nearer
+     * to the contact, on the same mesh, extrapolated: nothing if the body is
+     * resolved.
+     */
+    DenseMatrix change_of_region(DirectBody<3>      &body,
+                                 const BodyShape    &shape,
+                                 const FadingRegion &fading,
+                                 const DenseMatrix  &of_mesh)
+    {
+      const FadingRegion nearer{smaller * fading.inner,
+                                smaller * fading.outer,
+                                smaller * fading.steep_from};
+      const double       half_width     = compared_patch * fading.inner;
+      const auto         with_curvature = [&](const FadingRegion &region,
+                                      const DenseMatrix  &moments) {
+        return DenseMatrix(moments +
+                           curvature_correction(shape,
+                                                body.elasticity().core,
+                                                {{half_width, half_width}},
+                                                region));
+      };
+      return (with_curvature(fading, of_mesh) -
+              with_curvature(
+                nearer, moments_of(body, FadedFields(body, shape, nearer)))) /
+             (1 / (smaller * smaller) - 1);
+    }
   } // namespace
 
   SplitBody::SplitBody(const std::shared_ptr<const BodyShape> &shape,
@@ -141,11 +188,20 @@ namespace RollingContact
       return;
     FadedFields of_mesh(*this, *shape, fading);
     S_of_mesh = moments_of(*this, of_mesh);
-    DirectBody<3> larger(
-      shape, materials, 1., grading_of(*shape, fading, coarser), true, model);
-    change =
-      (S_of_mesh - moments_of(larger, FadedFields(larger, *shape, fading))) /
-      (coarser * coarser - 1);
+    if (fading.may_be_steep())
+      change = change_of_region(*this, *shape, fading, S_of_mesh);
+    else
+      {
+        DirectBody<3> larger(shape,
+                             materials,
+                             1.,
+                             grading_of(*shape, fading, coarser),
+                             true,
+                             model);
+        change = (S_of_mesh -
+                  moments_of(larger, FadedFields(larger, *shape, fading))) /
+                 (coarser * coarser - 1);
+      }
     if (vibrates)
       {
         fields  = std::move(of_mesh);

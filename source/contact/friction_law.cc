@@ -91,7 +91,7 @@ namespace RollingContact
   const std::vector<FrictionLawKind> &friction_law_kinds()
   {
     static const std::vector<FrictionLawKind> kinds{
-      {"constant", "it does not fall", nullptr},
+      {"constant", "mu does not change", nullptr},
       {"exponential",
        "mu_k + (mu_s - mu_k) exp(-v/v_c), Polach's law with A = mu_k/mu_s and "
        "B = 1/v_c",

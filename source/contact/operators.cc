@@ -13,8 +13,8 @@ namespace RollingContact
       {"lumped", "row sums", ContactMatrices::lumped},
       {"consistent", "Lai et al. 2017", ContactMatrices::consistent},
       {"balanced",
-       "lumped, with smoother pressures where element sizes change and forces "
-       "less exact",
+       "lumped, with smoother pressures where element sizes change but less "
+       "exact forces",
        ContactMatrices::balanced}};
     return choices;
   }

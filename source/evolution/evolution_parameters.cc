@@ -112,66 +112,72 @@ namespace RollingContact
   void EvolutionParameters::declare_duty(Entries &entries)
   {
     entries.add("File of rows", file_of_rows).help =
-      "CSV file of the duty, relative to the scene: columns are entries of "
-      "sections Wheelset and Contact, `share` of the distance, and `name`; "
-      "empty: the scene itself all the way.";
+      "CSV file of the duty, relative to the scene. Its columns are entries "
+      "of sections Wheelset and Contact, `share` of the distance, and `name`. "
+      "Empty: the scene itself all the way.";
     entries.add("Both directions", both_directions).help =
-      "Each row runs as often to one side as to the other, so that both wheels "
-      "have one profile, and both rails; false: each side has its own.";
-    entries.choice("Bodies", bodies, named_bodies).help = "What wears.";
+      "Whether each row runs as often to one side as to the other, so that "
+      "both wheels have one profile, and both rails. false: each side has its "
+      "own.";
+    entries.choice("Bodies", bodies, named_bodies).help =
+      "Which profiles wear: `wheel`, `rail` "
+      "or `both`.";
     std::vector<NamedValue<std::string>> laws;
     for (const Damage::WearLaw &it : Damage::wear_laws())
       laws.push_back({it.name, it.name});
     entries.choice("Law", law, laws).help =
-      "By which it wears, with the constants of section Wear.";
+      "Law of wear, with the constants of section Wear: `usfd`, `archard` or "
+      "`t-gamma`.";
     entries.add("Distance", distance, "m").help =
-      "That the wheels roll, of wheels that wear.";
+      "Distance that the wheels roll, for wheels that wear.";
     entries.add("Passages", passages, "1").help =
-      "Of wheelsets over the rails, of rails that wear.";
+      "Number of passages of wheelsets over the rails, for rails that wear.";
   }
 
   void EvolutionParameters::declare_steps(Entries &entries)
   {
     entries.add("Tolerance", tolerance, "m").help =
-      "By how much the depth of a step may differ from that of two half steps; "
-      "what is worn is extrapolated from both and much nearer.";
+      "Largest difference between the depth of a step and that of two half "
+      "steps. The depth that is taken is extrapolated from both and much more "
+      "exact.";
     entries.add("Largest step", largest_step, "m").help =
-      "Largest depth of a step.";
+      "Largest depth that wears off in one step.";
     entries.add("Equal steps", equal_steps, "1").between(0, 100000).help =
-      "So many steps of the same length in place of those that the tolerance "
-      "gives; 0: none.";
+      "Number of steps of equal length, in place of those by Tolerance; 0: by "
+      "Tolerance.";
     entries
       .choice("Scheme",
               is_implicit,
               std::vector<NamedValue<bool>>{{"implicit", true},
                                             {"explicit", false}})
       .help =
-      "How a step takes the wear that it makes: `implicit` is stable at "
-      "any step; `explicit` oscillates where steps are deep, and is "
-      "there to compare.";
+      "How a step takes account of the wear that it makes. `implicit`: stable "
+      "at any step; `explicit`: oscillates where steps are deep, and is there "
+      "to compare.";
     entries.add_automatic("Smoothing", smoothing, "m").help =
-      "How far what wears in a step is spread to both sides; never less than a "
-      "line of nodes. `automatic`: half of the largest distance between places "
-      "that wear by the rows of the duty, of those less than 5 mm apart, as "
-      "states between them would wear what is between. Profiles themselves are "
-      "not smoothed.";
+      "How far the wear of a step is spread to both sides, at least over one "
+      "line of nodes. `automatic`: half of the largest distance between "
+      "neighbouring places of wear, among those less than 5 mm apart, because "
+      "states between the rows of the duty would wear what lies between. "
+      "Profiles themselves are not smoothed.";
     entries.add("Threads", threads, "1")
       .between(0, 1024)
       .resumed_if(in_all_scenes)
       .help =
-      "So many rows of the duty are solved at once; 0: as many as there are "
-      "processors. Results do not depend on it.";
+      "Number of rows of the duty that are solved at once; 0: as many as "
+      "there are processors. Results do not depend on it.";
   }
 
   void EvolutionParameters::declare_ends(Entries &entries)
   {
     entries.add("Largest depth", largest_depth, "m").help =
-      "Depth at which it ends; empty: none.";
+      "Depth of wear at which the evolution ends; empty: no limit.";
     entries.add("Least flange thickness", least_thickness, "m").help =
-      "Sd at which it ends, see doc/howto/evolution.md; empty: none.";
+      "Flange thickness Sd at which the evolution ends, see "
+      "doc/howto/evolution.md; empty: no limit.";
     entries.add("Largest flange height", largest_height, "m").help =
-      "Sh at which it ends; empty: none.";
+      "Flange height Sh at which the evolution ends; empty: no limit.";
     entries.add("Least qR", least_qr, "m").help =
-      "qR at which it ends; empty: none.";
+      "Flange dimension qR at which the evolution ends; empty: no limit.";
   }
 } // namespace RollingContact

@@ -321,9 +321,10 @@ namespace RollingContact
         {"wear of a step",
          largest,
          "its depth",
-         "a step against two halves, of both of which it is extrapolated",
+         "a step compared with two halves; the result is extrapolated from "
+         "both",
          true,
-         "without what meshes, laws and duty are off"});
+         "without the errors of meshes, laws and duty"});
   }
 
   void EvolutionReport::finish(const std::string &why_ended)

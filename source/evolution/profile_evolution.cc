@@ -114,8 +114,8 @@ namespace RollingContact
         share /= 2;
         if (section.equal_steps > 0 || share < least_share)
           throw ConvergenceError("The evolution of profiles ends " + place() +
-                                 ", as no step beyond has a balance: " + why);
-        context.log.detail("A shorter step, as " + why);
+                                 ", because no further step succeeds: " + why);
+        context.log.detail("A shorter step is tried, because " + why);
       }
   }
 

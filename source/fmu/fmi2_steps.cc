@@ -64,7 +64,9 @@ FMI2 fmi2Status fmi2GetRealStatus(fmi2Component        c,
   return static_cast<fmi2Status>(
     static_cast<int>(with(c, __func__, [=, f = __func__](Instance &own) {
       if (kind != fmi2LastSuccessfulTime || !value)
-        return own.refuse(f, "answers fmi2LastSuccessfulTime, to a place");
+        return own.refuse(f,
+                          "answers fmi2LastSuccessfulTime only, and needs "
+                          "a pointer to write to");
       *value = own.now().time;
       return Status::ok;
     })));
@@ -84,7 +86,9 @@ FMI2 fmi2Status fmi2GetBooleanStatus(fmi2Component        c,
   return static_cast<fmi2Status>(
     static_cast<int>(with(c, __func__, [=, f = __func__](Instance &own) {
       if (kind != fmi2Terminated || !value)
-        return own.refuse(f, "answers fmi2Terminated, to a place");
+        return own.refuse(f,
+                          "answers fmi2Terminated only, and needs a "
+                          "pointer to write to");
       *value = 0; // it never ends by itself
       return Status::ok;
     })));

@@ -26,16 +26,17 @@ namespace RollingContact::Fmu
        "rad/s",
        "angular velocity about the axle, negative where it rolls forwards"},
       {"speed", "m/s", "speed along the middle of the track"},
-      {"curvature", "1/m", "of the track, positive where it goes to the right"},
+      {"curvature",
+       "1/m",
+       "curvature of the track, positive where it goes to "
+       "the right"},
       {"friction", "", "friction coefficient"},
       {"right.load", "N", "vertical load of the right-hand wheel on its rail"},
       {"left.load", "N", "vertical load of the left-hand wheel on its rail"},
-      {"right.rail_y",
-       "m",
-       "how far the right-hand rail has gone to the right"},
-      {"left.rail_y", "m", "how far the left-hand rail has gone to the right"},
-      {"right.rail_z", "m", "how far the right-hand rail has gone down"},
-      {"left.rail_z", "m", "how far the left-hand rail has gone down"}};
+      {"right.rail_y", "m", "displacement of the right-hand rail to the right"},
+      {"left.rail_y", "m", "displacement of the left-hand rail to the right"},
+      {"right.rail_z", "m", "displacement of the right-hand rail down"},
+      {"left.rail_z", "m", "displacement of the left-hand rail down"}};
 
     const InputText quantity_texts[n_quantities] = {
       {"force_x", "N", "force on the wheel forwards"},
@@ -46,13 +47,16 @@ namespace RollingContact::Fmu
        "moment on the wheel about the centre of the wheelset, forwards"},
       {"moment_y",
        "N.m",
-       "moment about the centre, to the right: positive where friction drives "
-       "the vehicle"},
-      {"moment_z", "N.m", "moment about the centre, down"},
-      {"normal_force", "N", "sum of the pressure"},
+       "moment on the wheel about the centre of the wheelset, to the right: "
+       "positive where friction drives the vehicle"},
+      {"moment_z",
+       "N.m",
+       "moment on the wheel about the centre of the "
+       "wheelset, down"},
+      {"normal_force", "N", "normal force, the integral of the pressure"},
       {"contact_y",
        "m",
-       "middle of the pressure, from the middle of the track to the right"},
+       "centre of the pressure, from the middle of the track to the right"},
       {"contact_angle",
        "rad",
        "slope of the contact downwards to the right, where the pressure's "
@@ -61,8 +65,8 @@ namespace RollingContact::Fmu
       {"t_gamma", "N", "work of friction per metre of track"},
       {"force_bound",
        "N",
-       "how far the force vector may be off: of the states of the table and "
-       "between them; the largest number where that is not known"}};
+       "bound of the error of the force vector, of the states of the table "
+       "and between them; the largest number where no bound is known"}};
 
     void add_wheel(const unsigned int wheel, std::vector<Variable> &all)
     {
@@ -92,8 +96,8 @@ namespace RollingContact::Fmu
                      VariableType::boolean,
                      Causality::output,
                      "",
-                     "whether the state is within all axes of the table; else "
-                     "outputs are those of the nearest one that is",
+                     "whether the state is within all axes of the table; if "
+                     "not, outputs are those of the nearest state that is",
                      Source::inside,
                      0,
                      wheel});
@@ -134,7 +138,8 @@ namespace RollingContact::Fmu
           Type::real,
           Causality::parameter,
           "m/s",
-          "below it creepages are those at it, and inside_table is false",
+          "least speed: below it creepages are those at this speed, and "
+          "inside_table is false",
           Source::least_speed);
       add(60,
           "wheel_radius",
@@ -155,15 +160,15 @@ namespace RollingContact::Fmu
           Type::text,
           Causality::constant,
           "",
-          "what this is a model of",
+          "title of the model, with its profiles",
           Source::scene);
       add(80,
           "roll",
           Type::real,
           Causality::output,
           "rad",
-          "of the wheelset where both rigid wheels touch, right-handed about "
-          "forwards",
+          "roll of the wheelset where both rigid wheels touch, right-handed "
+          "about forwards",
           Source::roll);
       for (const unsigned int wheel : {0, 1})
         add_wheel(wheel, all);

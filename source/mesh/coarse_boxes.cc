@@ -371,9 +371,9 @@ namespace RollingContact
         "Profiles/Body sections = true: the profiles' sections cannot be meshed "
         "with elements of " +
         significant(across, 3) +
-        " m across: cells would be folded, or other at the contact zone. Take another "
-        "Mesh/Elements across patch y, a profile nearer to a new one, or Body "
-        "sections = plain.");
+        " m across: cells would be folded, or would differ at the contact "
+        "zone. Take another Mesh/Elements across patch y, a profile nearer to "
+        "a new one, or Body sections = plain.");
     return {best, fewest};
   }
 

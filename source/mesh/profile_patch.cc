@@ -76,7 +76,7 @@ namespace RollingContact
           throw InputError("Profiles: a load of " + significant(load, 4) +
                            " N presses the surfaces by more than " +
                            millimetres(deepest_approach) +
-                           " into each other. Give less of it, in N.");
+                           " into each other. Give a smaller load, in N.");
         const double ample = 1.1;
         return solve(overlap(lines, ample * depth), n_along, load, 0.);
       }

@@ -23,6 +23,10 @@ namespace RollingContact
     /// cells under the running surface that are divided further, across: m
     const std::array<double, 3> section_cells{{18e-3, 13e-3, 9e-3}};
 
+    /// height of a running surface over the distance across from the contact
+    /// point from which on it is an edge, and steps of the search: m
+    const double slope_of_edge = 0.2, edge_step = 0.25e-3;
+
     const double least_rail = 0.2, longest_rail = 5., least_bore = 0.05,
                  largest_bow = 0.04;
   } // namespace
@@ -60,6 +64,27 @@ namespace RollingContact
     if (placed.is_left)
       return {{-end, -begin}};
     return {{begin, end}};
+  }
+
+  double SectionShape::distance_to_edge() const
+  {
+    CoarseCells cells;
+    cells.size = cells.half_core     = reach_x();
+    const SectionPlacement placement = sweep(cells).first;
+    const auto             ends      = surface.ends();
+    double                 nearest   = reach_x();
+    for (const double end : ends)
+      {
+        std::array<double, 3> at{};
+        for (double c = edge_step; c <= std::abs(end); c += edge_step)
+          {
+            at = placement.to_body(0., surface_point(std::copysign(c, end)));
+            if (std::abs(at[2]) > slope_of_edge * std::abs(at[1]))
+              break;
+          }
+        nearest = std::min(nearest, std::hypot(at[1], at[2]));
+      }
+    return nearest;
   }
 
   std::shared_ptr<const SweptMesh>

@@ -77,8 +77,9 @@ namespace RollingContact
     D.diagonal().array() += s * s;
     AtOneRate now{s, ComplexLU(std::move(D)), {}, {}};
     if (now.modes.singular())
-      throw ConvergenceError("Vibration of the modes alone has no answer at "
-                             "this frequency: it is an undamped eigenvalue.");
+      throw ConvergenceError("The modes have no finite response at this "
+                             "frequency, because it is an undamped "
+                             "eigenfrequency of them.");
     if (!attached)
       return now;
     // L^T P^-1 L = P [(s^2 + s C_m + K_m)^-1 - Lambda^-1] P^T + L^T K^-1 L
@@ -91,9 +92,9 @@ namespace RollingContact
     system.diagonal().array() += 1.;
     now.woodbury.emplace(std::move(system));
     if (now.woodbury->singular())
-      throw ConvergenceError("Vibration of the modes and what hangs on them "
-                             "has no answer at this frequency: it is an "
-                             "undamped eigenvalue.");
+      throw ConvergenceError("The modes and what hangs on them have no finite "
+                             "response at this frequency, because it is an "
+                             "undamped eigenfrequency of them.");
     return now;
   }
 

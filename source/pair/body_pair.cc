@@ -183,11 +183,12 @@ namespace RollingContact
     template <int dim>
     void check_meshes(const PairSpec     &scene,
                       const Grading<dim> &grading,
-                      const bool          are_twins)
+                      const bool          are_twins,
+                      const MeshKind      kind)
     {
       const double both = cells_to_mesh(scene, grading).total;
       check_mesh_memory<dim>(are_twins ? both / 2 : both,
-                             MeshKind::serial,
+                             kind,
                              remedy_of_memory,
                              are_twins ? "The mesh of wheel and rail"
                                        : "The meshes of wheel and rail");
@@ -209,7 +210,7 @@ namespace RollingContact
         const bool on_one_rank =
           solver == BodySolver::direct && Ranks::count() == 1 && !is_split();
         if (on_one_rank)
-          check_meshes(scene, grading, are_twins);
+          check_meshes(scene, grading, are_twins, MeshKind::serial);
         build(scene, grading, demands, statics);
         if (on_one_rank)
           check_factors(factor_memory(true)); // 0 of bodies not analysed
@@ -220,6 +221,7 @@ namespace RollingContact
     try
       {
         solver = BodySolver::direct;
+        check_meshes(scene, grading, are_twins, MeshKind::serial);
         build(scene, grading, demands, statics);
         const double needed = factor_memory(statics),
                      free   = 0.7 * available_memory();
@@ -236,6 +238,7 @@ namespace RollingContact
     total_unknowns = 0;
     release_free_memory();
     solver = BodySolver::distributed;
+    check_meshes(scene, grading, are_twins, MeshKind::distributed);
     build(scene, grading, demands, statics);
   }
 

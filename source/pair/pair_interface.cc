@@ -98,12 +98,12 @@ namespace RollingContact
         return;
       if (scene.profiles.has_true_sections())
         throw InputError(
-          "Profiles/Body sections = true: the contact zone reaches where the "
-          "elements of wheel and rail are not alike, at the end of a running "
-          "surface: check load and shift, or take Body sections = plain.");
+          "Profiles/Body sections = true: the contact zone reaches the end of "
+          "a running surface, where the elements of wheel and rail differ: "
+          "check load and shift, or take Body sections = plain.");
       throw InputError(
-        "The contact zone reaches where the elements of wheel and rail are not "
-        "alike, at the ends of bodies." +
+        "The contact zone reaches the ends of bodies, where the elements of "
+        "wheel and rail differ." +
         where_bodies_end(scene, grading, wheel, rail) +
         " Take that, other Mesh/Elements across patch, or check radii and load.");
     }

@@ -41,10 +41,10 @@ namespace RollingContact
                  "a shorter Mesh/Candidate zone."
                : "Take another Surfaces/Position or Position unit, a shorter "
                  "run or a longer record" +
-                   (passage.turn > 0. ? ", or one of the whole turn of " +
-                                          significant(passage.turn, 6) +
-                                          " m, which comes again."
-                                      : "."));
+                   (passage.turn > 0.
+                      ? ", or one of the whole turn of " +
+                          significant(passage.turn, 6) + " m, which repeats."
+                      : "."));
     if (record->is_map() && !holds(record->first_line,
                                    record->last_line(),
                                    record->line_spacing,
@@ -87,7 +87,8 @@ namespace RollingContact
         significant(filtered.steepest_at, 6) +
         (record.is_map() ? ", y = " + significant(filtered.steepest_y, 6)
                          : "") +
-        " m, that of no surface a wheel rolls on (at most 0.1). Check "
-        "Surfaces/Height unit and Position unit, or the scales of an .sdf.");
+        " m, too steep for a surface that a wheel rolls on (at most 0.1). "
+        "Check Surfaces/Height unit and Position unit, or the scales of an "
+        ".sdf.");
   }
 } // namespace RollingContact

@@ -20,6 +20,15 @@ namespace RollingContact
                  least_ratio = 2.2;
 
     /**
+     * Inner radii of the fading region of true sections, and over them the
+     * outer one and that from which on the surface may be steep: forces were
+     * the same to 3e-4 of mu N with 25 to 36 mm for the outer, 16 to 20 mm for
+     * the last. Units: m.
+     */
+    const double usual_inner = 12e-3, largest_inner = 16e-3,
+                 section_outer_over_inner = 3., steep_over_inner = 1.6;
+
+    /**
      * Error of the force for want of second order in the curvature, over mu N
      * and the half-width over the least radius: 0.05 was found.
      */
@@ -37,14 +46,21 @@ namespace RollingContact
     const double of_elements = 1.3;
 
     /**
+     * Elements across the patch from which on the meshes of true sections that
+     * know the patch take longer than those that do not.
+     */
+    const unsigned int fewest_in_sections = 14;
+
+    /**
      * Number of split bodies that are kept.
      */
     const std::size_t most_kept = 8;
 
     /**
-     * Largest patch over the radii of a surface that is taken as plane.
+     * Largest patch over the radii of a surface that is taken as plane, and
+     * over those of a true section along x and across.
      */
-    const double largest_curvature = 0.05;
+    const double largest_curvature = 0.05, largest_of_section = 0.1;
 
     /**
      * How far the farthest node that may touch is from the contact point.
@@ -61,10 +77,40 @@ namespace RollingContact
     }
 
     /**
+     * Whether the program meshes the section under a profile.
+     */
+    bool is_true_section(const BodyShape &shape)
+    {
+      return shape.is_swept() && !shape.has_own_cells();
+    }
+
+    /**
+     * Where the half-space fades out in a true section, beyond edges of its
+     * running surface, whose tractions are those at the surface itself. Units:
+     * m.
+     */
+    FadingRegion fading_in_section(const BodyShape &shape,
+                                   const double     farthest)
+    {
+      const double possible = shape.distance_to_edge() / steep_over_inner,
+                   wanted = farthest > usual_inner / FadingRegion::beyond_loads
+                              ? largest_inner
+                              : usual_inner,
+                   inner  = std::min(possible, wanted),
+                   held   = share_of_distance *
+                          std::min(shape.reach_x(), shape.thickness_below());
+      return {inner,
+              std::min(section_outer_over_inner * inner, held),
+              steep_over_inner * inner};
+    }
+
+    /**
      * Where the half-space fades out in a body of this shape. Units: m.
      */
     FadingRegion fading_region(const BodyShape &shape, const double farthest)
     {
+      if (is_true_section(shape))
+        return fading_in_section(shape, farthest);
       const double outer = share_of_distance * shape.distance_to_edge();
       FadingRegion fading{outer / outer_over_inner, outer};
       if (fading.loads_end() < farthest)
@@ -73,26 +119,33 @@ namespace RollingContact
     }
 
     /**
-     * 1/R along x and across, from the heights of a circle, -r^2 / (2 R).
-     * Units: 1/m.
+     * 1/R along x and across, from the heights of a circle, -r^2 / (2 R), at
+     * these distances. Units: 1/m.
      */
-    std::array<double, 2> curvatures_of(const BodyShape &shape, const double r)
+    std::array<double, 2> curvatures_of(const BodyShape             &shape,
+                                        const std::array<double, 2> &r)
     {
-      return {{-2 * shape.surface_height(r, 0.) / (r * r),
-               -2 * shape.surface_height(0., r) / (r * r)}};
+      return {{-2 * shape.surface_height(r[0], 0.) / (r[0] * r[0]),
+               -2 * shape.surface_height(0., r[1]) / (r[1] * r[1])}};
     }
 
     /**
-     * What speaks against one body.
+     * What speaks against one body whose nodes may touch as far away as this,
+     * along x and across, and in all.
      */
-    std::string reason_of_body(const BodySpec &body, const double farthest)
+    std::string reason_of_body(const BodySpec              &body,
+                               const std::array<double, 2> &reach,
+                               const double                 farthest)
     {
-      const auto shape = body.body_shape();
+      const auto shape      = body.body_shape();
+      const bool is_section = is_true_section(*shape);
       if (!(shape->distance_to_edge() > 0.))
         return "the " + body.section +
                "'s mesh is from a file, or its section "
-               "that of a profile";
+               "under a profile";
       const FadingRegion fading = fading_region(*shape, farthest);
+      if (fading.loads_end() < farthest && fading.inner == largest_inner)
+        return "the patch is large for the section of the " + body.section;
       if (fading.loads_end() < farthest)
         return "nodes that may touch are up to " +
                significant(1e3 * farthest, 3) +
@@ -103,12 +156,30 @@ namespace RollingContact
                              fading.loads_end(),
                            3) +
                " mm are needed";
-      const auto curvatures = curvatures_of(*shape, farthest);
-      if (curvatures[0] < 0. || curvatures[1] < 0.)
+      const auto curvatures =
+        curvatures_of(*shape,
+                      is_section ? reach
+                                 : std::array<double, 2>{{farthest, farthest}});
+      if (!is_section && (curvatures[0] < 0. || curvatures[1] < 0.))
         return "the surface of the " + body.section + " is concave";
-      if (std::max(curvatures[0], curvatures[1]) * farthest > largest_curvature)
+      const double over_radius =
+        is_section ? std::max(std::abs(curvatures[0]) * reach[0],
+                              std::abs(curvatures[1]) * reach[1])
+                   : std::max(curvatures[0], curvatures[1]) * farthest;
+      if (over_radius > (is_section ? largest_of_section : largest_curvature))
         return "the patch is large for the radii of the " + body.section;
       return "";
+    }
+
+    /**
+     * How far nodes that may touch are from the contact point, along x and
+     * across. Units: m.
+     */
+    template <int dim>
+    std::array<double, 2> reach_of_nodes(const Grading<dim> &grading)
+    {
+      const auto along = grading.zone_along(), across = grading.zone_across();
+      return {{std::max(-along[0], along[1]), std::max(-across[0], across[1])}};
     }
 
     /**
@@ -122,14 +193,27 @@ namespace RollingContact
     {
       if (std::abs(pair_constants(scene).dundurs_beta) > largest_beta)
         return "the materials are unlike";
-      const double half_width = std::abs(grading.leading_edge_x);
-      double       curvature  = 0.;
+      if (scene.profiles.has_true_sections() &&
+          grading.elements_across() < fewest_in_sections)
+        return "with true sections and so few elements across the patch these "
+               "take less time";
+      const double half_width  = std::abs(grading.leading_edge_x);
+      double       over_radius = 0.;
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
-          for (const double found :
-               curvatures_of(*body->body_shape(), half_width))
-            curvature = std::max(curvature, found);
-      return of_curvature * curvature * half_width >
+          {
+            const auto                  shape = body->body_shape();
+            const std::array<double, 2> half_widths{
+              {half_width,
+               is_true_section(*shape)
+                 ? half_width * grading.element_size_y / grading.element_size_x
+                 : half_width}};
+            const auto found = curvatures_of(*shape, half_widths);
+            for (const unsigned int d : {0u, 1u})
+              over_radius =
+                std::max(over_radius, std::abs(found[d]) * half_widths[d]);
+          }
+      return of_curvature * over_radius >
                  of_elements / std::pow(grading.elements_across(), 2)
                ? "the curvature of the surfaces would count for more than the "
                  "elements across the patch"
@@ -156,10 +240,16 @@ namespace RollingContact
         return "Contact/Contact matrices are not lumped";
       if (scene.has_covers())
         return "a body has a cover of another material (Cover thickness)";
+      if (scene.profiles.has_true_sections() && demands.modes)
+        return "true sections vibrate (modes are those of finite elements)";
+      if (scene.profiles.has_true_sections() &&
+          scene.profiles.surface_kind == Profiles::SurfaceKind::curved)
+        return "the surface of contact between true sections is curved";
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid && scene.mesh.compliance != Compliance::half_spaces)
-          if (const std::string reason =
-                reason_of_body(*body, farthest_node(grading));
+          if (const std::string reason = reason_of_body(*body,
+                                                        reach_of_nodes(grading),
+                                                        farthest_node(grading));
               !reason.empty())
             return reason;
       return "";

@@ -17,7 +17,7 @@ from . import references as references
 from .tables import Table as Table, read_table as read_table
 
 class InputError(ValueError):
-    """Something the user can mend: the message names entry or file, value, what is allowed and what to do."""
+    """An error that the user can correct: the message names entry or file, value, what is allowed and what to do."""
 
 class ConvergenceError(RuntimeError):
     """A solve that did not reach its tolerance."""
@@ -37,7 +37,7 @@ class Scene:
     def __getattr__(self, section: str) -> Any: ...
 
 class ErrorBounds:
-    """How far a state may be off; None where no bound is known. Pickles."""
+    """Bounds of the error of a state; None where no bound is known. Can be pickled."""
 
     @property
     def force(self) -> Optional[float]: ...
@@ -49,7 +49,7 @@ class ErrorBounds:
     def text(self) -> str: ...
 
 class Fields:
-    """Fields at the N contact nodes, copies of their own."""
+    """Fields at the N contact nodes, as copies."""
 
     @property
     def positions(self) -> NDArray[numpy.float64]: ...
@@ -69,7 +69,7 @@ class Fields:
     def forces(self) -> NDArray[numpy.float64]: ...
 
 class State:
-    """A steady state, a copy of its own. Forces are those on the wheel. SI units."""
+    """A steady state, as a copy. Forces are those on the wheel. SI units."""
 
     @property
     def force(self) -> tuple[float, float, float]: ...
@@ -153,9 +153,9 @@ class State:
     def _repr_svg_(self) -> str: ...
 
 class Session:
-    """A scene whose steady states are solved one after the other; bodies are kept as long as they serve.
+    """A scene whose steady states are solved one after the other; bodies are kept as long as possible.
 
-    Its entries are attributes of its sections as well: session.contact.creepage_x = 1e-3.
+    Entries are also attributes of its sections: session.contact.creepage_x = 1e-3.
     """
 
     def __init__(self, scene: Source, settings: Optional[Settings] = None, verbosity: str = "quiet") -> None: ...
@@ -174,7 +174,7 @@ class Session:
     def warnings(self) -> list[str]: ...
 
 class TransientState:
-    """The end of a time step, a copy of its own; energies and distances are those since the start. SI units."""
+    """The state at the end of a time step, as a copy; energies and distances count from the start. SI units."""
 
     @property
     def time(self) -> float: ...
@@ -228,10 +228,10 @@ class TransientState:
     def _repr_html_(self) -> str: ...
 
 class SavedState:
-    """What Transient.save() returns and restore() takes."""
+    """A state that Transient.save() returns and Transient.restore() takes."""
 
 class Transient:
-    """A scene in time whose steps are taken one by one under control from outside."""
+    """A scene in time whose steps are taken one by one from Python."""
 
     def __init__(
         self,
@@ -266,7 +266,7 @@ class Transient:
     def warnings(self) -> list[str]: ...
 
 class WheelsetState:
-    """A wheelset in balance and its wheels, copies of their own. SI units."""
+    """A wheelset in balance and its wheels, as copies. SI units."""
 
     @property
     def name(self) -> str: ...

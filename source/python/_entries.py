@@ -24,7 +24,7 @@ def _sections():
 
 
 class Section:
-    """The entries of one section of a scene as attributes: a text, the value given last or else the default."""
+    """The entries of one section of a scene as attributes. Each is a text: the value given last, or the default."""
 
     def __init__(self, owner, name):
         object.__setattr__(self, "_owner", owner)

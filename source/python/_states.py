@@ -1,4 +1,4 @@
-"""What states show of themselves, and how they are compared; see doc/howto/python.md."""
+"""How states print themselves and are compared; see doc/howto/python.md."""
 
 import re
 

@@ -118,7 +118,7 @@ namespace RollingContact::Bindings
     py::class_<Fields, std::shared_ptr<Fields>> fields(
       module,
       "Fields",
-      "Fields at the N contact nodes as numpy arrays, copies of their own.");
+      "Fields at the N contact nodes, as copies in numpy arrays.");
     define_copies(fields);
     fields
       .def_readonly("positions",
@@ -130,12 +130,12 @@ namespace RollingContact::Bindings
       .def_readonly(
         "traction",
         &Fields::traction,
-        help("(N, 2): of friction on the wheel.", "traction").c_str())
+        help("(N, 2): traction of friction on the wheel.", "traction").c_str())
       .def_readonly(
         "gap",
         &Fields::gap,
-        help("(N,): between the deformed surfaces, 0 in contact; in "
-             "time that of the contact law.",
+        help("(N,): gap between the deformed surfaces, 0 in contact; in time "
+             "the gap of the contact law.",
              "gap")
           .c_str())
       .def_readonly(

@@ -59,8 +59,8 @@ namespace RollingContact::Bindings
     void define_errors(py::module_ &module)
     {
       py::register_exception<InputError>(module, "InputError", PyExc_ValueError)
-        .doc() = "Something the user can mend: the message names the entry or "
-                 "file, its value, what is allowed and what to do.";
+        .doc() = "An error that the user can correct: the message names the "
+                 "entry or file, its value, what is allowed and what to do.";
       py::register_exception<ConvergenceError>(module,
                                                "ConvergenceError",
                                                PyExc_RuntimeError)
@@ -90,7 +90,7 @@ namespace RollingContact::Bindings
                "a .prm file.");
     module.def("parameters_as_json",
                &parameters_as_json,
-               "Every entry of a scene, of whatever section, as JSON.");
+               "Every entry of all sections of a scene, as JSON.");
     py::module_::import("atexit").attr("register")(
       py::cpp_function(&Ranks::finish));
   }

@@ -72,7 +72,8 @@ namespace RollingContact::Bindings
               [&self](const double at) { return self.pressure(at); })(x);
           },
           py::arg("x"),
-          "At x from the middle, an array as well (m). Unit: Pa.");
+          "Pressure at the distance x from the middle (m; a number or an "
+          "array). Unit: Pa.");
       py::class_<HertzEllipse>(module,
                                "HertzEllipse",
                                "Hertz's elliptic contact. Units: m, Pa.")
@@ -95,21 +96,24 @@ namespace RollingContact::Bindings
           },
           py::arg("x"),
           py::arg("y"),
-          "At (x, y) from the middle, arrays as well (m). Unit: Pa.");
+          "Pressure at the place (x, y) from the middle (m; numbers or "
+          "arrays). Unit: Pa.");
       module.def("hertz_line",
                  &hertz_line,
                  py::arg("load_per_length"),
                  py::arg("relative_radius"),
                  py::arg("contact_modulus"),
-                 "Parallel cylinders: N/m, m, Pa.");
+                 "The contact of parallel cylinders. Units of the arguments: "
+                 "N/m, m, Pa.");
       module.def("hertz_ellipse",
                  &hertz_ellipse,
                  py::arg("load"),
                  py::arg("curvature_x"),
                  py::arg("curvature_y"),
                  py::arg("contact_modulus"),
-                 "The gap is curvature_x x^2 + curvature_y y^2 before: N, 1/m, "
-                 "1/m, Pa.");
+                 "The contact of surfaces whose gap without load is "
+                 "curvature_x x^2 + curvature_y y^2. Units of the arguments: "
+                 "N, 1/m, 1/m, Pa.");
     }
 
     void define_elasticity(py::module_ &module)
@@ -120,12 +124,14 @@ namespace RollingContact::Bindings
                  py::arg("poisson_ratio_1"),
                  py::arg("young_modulus_2"),
                  py::arg("poisson_ratio_2"),
-                 "E* of two bodies, inf for a rigid one. Unit: Pa.");
+                 "Contact modulus E* of two bodies; a modulus of inf is a "
+                 "rigid body. Unit: Pa.");
       module.def("relative_radius",
                  &relative_radius,
                  py::arg("radius_1"),
                  py::arg("radius_2"),
-                 "R of two profiles, inf for a flat one. Unit: m.");
+                 "Relative radius R of two profiles; a radius of inf is flat. "
+                 "Unit: m.");
       module.def(
         "kalker_coefficients",
         [](const double axis_ratio, const double poisson_ratio) {
@@ -135,7 +141,8 @@ namespace RollingContact::Bindings
         },
         py::arg("axis_ratio"),
         py::arg("poisson_ratio"),
-        "(C11, C22, C23, C33) of an ellipse a/b, a along x. Unit: 1.");
+        "Kalker's coefficients (C11, C22, C23, C33) for an ellipse with the "
+        "axis ratio a/b, a along x. Unit: 1.");
     }
 
     void define_carter(py::module_ &module)
@@ -150,7 +157,8 @@ namespace RollingContact::Bindings
              py::arg("friction_coefficient"),
              py::arg("creepage"),
              py::arg("flow_direction") = 1,
-             "A HertzLine, m, 1, 1; material flows in +x (1) or -x (-1).")
+             "contact is a HertzLine; units of the others: m, 1, 1. Material "
+             "flows in +x (1) or -x (-1).")
         .def_property_readonly("saturation_creepage",
                                [](const Carter &self) {
                                  return self.saturation_creepage();
@@ -170,8 +178,8 @@ namespace RollingContact::Bindings
               [&self](const double at) { return self.traction(at); })(x);
           },
           py::arg("x"),
-          "On the wheel, at x from the middle, an array as well (m). Unit: "
-          "Pa.");
+          "Traction on the wheel at the distance x from the middle (m; a "
+          "number or an array). Unit: Pa.");
     }
 
     /** A theory of forces that friction bounds, with its name and help. */

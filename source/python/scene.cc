@@ -171,9 +171,9 @@ namespace RollingContact::Bindings
            }),
            py::arg("source"),
            py::arg("settings") = py::none(),
-           "Read a path of a .prm file, a text of one (which has line ends) or "
-           "another Scene, with settings {\"Section/Entry\": value} on top, as "
-           "--set of the program. Raises InputError.")
+           "Read a .prm file (its path), the text of one (with line ends) or "
+           "another Scene. settings {\"Section/Entry\": value} replace its "
+           "entries, as --set of the program does. Raises InputError.")
       .def_static(
         "from_text",
         [](const std::string &text,
@@ -186,21 +186,21 @@ namespace RollingContact::Bindings
         py::arg("text"),
         py::arg("folder")   = "",
         py::arg("settings") = py::none(),
-        "Read a text; files that it names are relative to the folder. Raises "
+        "Read a text. Names of files in it are relative to the folder. Raises "
         "InputError.")
       .def_property_readonly(
         "entries",
         [](const Scene &scene) { return scene.entries; },
-        "All entries that file and settings give, as texts; others have their "
-        "defaults.")
+        "All entries that the file and the settings give, as texts; other "
+        "entries have their defaults.")
       .def_property_readonly(
         "warnings",
         [](const Scene &scene) { return scene.warnings; },
-        "Entries without effect and values that are hardly meant so.")
+        "Warnings: entries without effect, and values that look wrong.")
       .def_property_readonly(
         "dimension",
         [](const Scene &scene) { return scene.situation->dimension; },
-        "2 or 3.")
+        "The dimension, 2 or 3.")
       .def("__repr__", [](const Scene &scene) {
         return "<rolling_contact.Scene of " + scene.name + ">";
       });

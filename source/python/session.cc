@@ -105,22 +105,23 @@ namespace RollingContact::Bindings
       py::class_<ErrorBounds> bounds(
         module,
         "ErrorBounds",
-        "How far a state may be off from that of an infinitely fine mesh of "
-        "the same bodies; None where no bound is known. See doc/explanation/errors.md.");
+        "Bounds of the error of a state against an infinitely fine mesh of "
+        "the same bodies; None where no bound is known. See "
+        "doc/explanation/errors.md.");
       define_copies(bounds);
       bounds
         .def_readonly("force",
                       &ErrorBounds::force,
-                      "Of the forces of friction, over mu N. Unit: 1.")
+                      "Bound for the friction force, over mu N. Unit: 1.")
         .def_readonly("moment",
                       &ErrorBounds::moment,
-                      "Of the spin moment in 3D, over mu N a. Unit: 1.")
+                      "Bound for the spin moment in 3D, over mu N a. Unit: 1.")
         .def_readonly("max_pressure",
                       &ErrorBounds::max_pressure,
-                      "Of the peak pressure, over that. Unit: 1.")
+                      "Bound for the peak pressure, relative to it. Unit: 1.")
         .def_readonly("text",
                       &ErrorBounds::text,
-                      "What the bound of the force is made of.");
+                      "The parts of the bound of the force, in words.");
     }
 
     void define_columns(py::class_<State> &state)
@@ -131,9 +132,9 @@ namespace RollingContact::Bindings
           return self.columns ? py::object(dict_of(*self.columns))
                               : py::object(py::none());
         },
-        "The columns of results.csv of the state, as a dict, see "
-        "Session.row(); None unless the bodies have profiles or solve() was "
-        "asked for them.");
+        "The columns of results.csv of the state as a dict, see "
+        "Session.row(). None, unless the bodies have profiles or solve() was "
+        "asked for columns.");
     }
 
     void define_fields_of(py::class_<State> &state)
@@ -161,7 +162,7 @@ namespace RollingContact::Bindings
         [](const State &self) {
           return std::const_pointer_cast<Fields>(self.fields);
         },
-        "All fields; None if nothing touches.");
+        "All fields, see Fields; None if nothing touches.");
     }
 
     void define_resultants(py::class_<State> &state)
@@ -172,12 +173,12 @@ namespace RollingContact::Bindings
       define(state,
              "spin_moment",
              &Resultants::spin_moment,
-             "About +z through the origin. Unit: N m.");
+             "Moment about +z through the origin. Unit: N m.");
       define(state, "max_pressure", &Resultants::max_pressure, "Unit: Pa.");
       define(state,
              "friction_force",
              &Resultants::friction_force,
-             "mu N, the most that friction can carry. Unit: N.");
+             "mu N, the largest force that friction can carry. Unit: N.");
       define(state,
              "creep_work",
              &Resultants::creep_work,
@@ -216,7 +217,7 @@ namespace RollingContact::Bindings
             const Creepages &creepages = self.found.creepages;
             return py::make_tuple(creepages.x, creepages.y, creepages.spin);
           },
-          "(creepage x, creepage y, spin), found where forces are given. "
+          "(creepage x, creepage y, spin), given or found for given forces. "
           "Units: 1, 1, 1/m.");
     }
 
@@ -246,7 +247,7 @@ namespace RollingContact::Bindings
         [](const TrackForces &found) {
           return Vector{{found.force_x, found.force_y, found.force_z}};
         },
-        "Force on the wheel forwards, to the right and down, None without "
+        "Force on the wheel (forwards, to the right, down); None without "
         "profiles. Unit: N.");
       define_in_track(
         state,
@@ -254,9 +255,9 @@ namespace RollingContact::Bindings
         [](const TrackForces &found) {
           return std::array<double, 2>{{found.moment_x, found.moment_z}};
         },
-        "Its moments about the direction of travel and about the vertical, "
-        "right-handed about forwards and down through the middle of the track "
-        "at the top of the rails. Unit: N m.");
+        "Moments of that force about the direction of travel and about the "
+        "vertical, right-handed about forwards and down, through the middle "
+        "of the track at the top of the rails. Unit: N m.");
       define_in_track(
         state,
         "axle_torque",
@@ -273,19 +274,24 @@ namespace RollingContact::Bindings
           [member](const State &self) { return self.found.*member; },
           help);
       };
-      add("touches", &SessionState::touches, "Else all is 0.");
+      add("touches",
+          &SessionState::touches,
+          "Whether the bodies touch; if not, "
+          "all results are 0.");
       add("converged",
           &SessionState::converged,
-          "Session.solve() raises where it is not, unless told not to.");
-      add("reason", &SessionState::reason, "Why it did not converge.");
+          "Whether the state converged. If not, Session.solve() raises, "
+          "unless check=False.");
+      add("reason", &SessionState::reason, "Why the state did not converge.");
       add("approach", &SessionState::approach, "Unit: m.");
-      add("bounds", &SessionState::bounds, "How far the state may be off.");
+      add("bounds", &SessionState::bounds, "Bounds of the error of the state.");
       add("elements_across",
           &SessionState::elements_across,
-          "Elements over the patch that was found, along x.");
-      add("new_bodies",
-          &SessionState::new_bodies,
-          "Why bodies were made for it; empty if they were kept.");
+          "Number of elements along x across the patch that was found.");
+      add(
+        "new_bodies",
+        &SessionState::new_bodies,
+        "Why new bodies were made for this state; empty if bodies were kept.");
       add("seconds",
           &SessionState::seconds,
           "Wall time of the solve. Unit: s.");
@@ -295,8 +301,8 @@ namespace RollingContact::Bindings
     {
       py::class_<State> state(module,
                               "State",
-                              "A steady state, a copy of its own. Forces are "
-                              "those on the wheel. SI units.");
+                              "A steady state, as a copy. Forces are those on "
+                              "the wheel. SI units.");
       define_resultants(state);
       define_forces_and_creepages(state);
       define_track_forces(state);
@@ -315,8 +321,8 @@ namespace RollingContact::Bindings
       module,
       "Session",
       "A scene whose steady states are solved one after the other. Bodies are "
-      "kept as long as they serve, so that a further load, creepage or "
-      "friction takes milliseconds. To be used by one thread at a time.")
+      "kept as long as possible, so that another load, creepage or friction "
+      "takes milliseconds. Only one thread at a time may use it.")
       .def(py::init([](const py::object  &scene,
                        const py::object  &settings,
                        const std::string &verbosity) {
@@ -326,19 +332,20 @@ namespace RollingContact::Bindings
            py::arg("scene"),
            py::arg("settings")  = py::none(),
            py::arg("verbosity") = "quiet",
-           "Of a path, a text or a Scene, see Scene. verbosity: quiet, normal "
-           "or verbose, what is said while bodies are made. Raises InputError.")
+           "Make it of the path of a .prm file, of its text or of a Scene. "
+           "verbosity: quiet, normal or verbose, for what is printed while "
+           "bodies are made. Raises InputError.")
       .def("__setitem__",
            &PySession::set,
            py::arg("entry"),
            py::arg("value"),
-           "Give an entry, \"Section/Entry\", another value for the states "
-           "from now on. Raises InputError, the entry unchanged.")
+           "Give an entry, \"Section/Entry\", another value for all states "
+           "from now on. Raises InputError and leaves the entry as it was.")
       .def("__getitem__",
            &PySession::get,
            py::arg("entry"),
-           "The value that an entry was given last, as a text. Raises KeyError "
-           "where it was given none.")
+           "The value that the entry was given last, as a text. Raises "
+           "KeyError if it was never given one.")
       .def(
         "set",
         [](PySession &self, const py::dict &settings) {
@@ -363,30 +370,29 @@ namespace RollingContact::Bindings
         },
         py::arg("check")   = true,
         py::arg("columns") = py::none(),
-        "Solve the state of the entries as they are. Raises InputError if they "
-        "contradict each other, ConvergenceError; the session may be used "
-        "further. With check=False a state that did not converge is returned "
-        "and says so. With columns=True it has State.columns; on profiles it "
-        "has them unless that is False.")
+        "Solve the state for the entries as they are now. Raises InputError "
+        "if they contradict each other, and ConvergenceError; the session can "
+        "be used further. With check=False a state that did not converge is "
+        "returned, and its converged is False. columns=True gives "
+        "State.columns; bodies with profiles have them unless columns=False.")
       .def("close",
            &PySession::close,
-           "Give up the bodies that are kept; done at the end of a with "
-           "statement. Any other use is an error from then on.")
-      .def(
-        "row",
-        &PySession::row,
-        "The columns of results.csv of the state that was solved last, as a "
-        "dict: their names end with units, what is not known is None, what "
-        "is true or false 1 or 0. With Wear/Report the wear and fatigue of "
-        "the state, with Contact/Speed its temperatures, see doc/reference/output.md. "
-        "Raises RuntimeError if no state that touches was solved, or an "
-        "entry was set since.")
+           "Release the bodies that are kept; the end of a with statement "
+           "does this. The session cannot be used afterwards.")
+      .def("row",
+           &PySession::row,
+           "The columns of results.csv of the state that was solved last, as "
+           "a dict. Their names end with units; unknown values are None, true "
+           "and false are 1 and 0. Wear/Report adds wear and fatigue, "
+           "Contact/Speed adds temperatures, see doc/reference/output.md. "
+           "Raises RuntimeError if no state that touches was solved, or if an "
+           "entry was set since.")
       .def_property_readonly("n_bodies_made",
                              &PySession::n_bodies_made,
-                             "How many sets of bodies were made so far.")
+                             "Number of sets of bodies that were made so far.")
       .def_readonly("warnings",
                     &PySession::warnings,
-                    "Entries of the scene without effect and values that are "
-                    "hardly meant so.");
+                    "Warnings: entries of the scene without effect, and "
+                    "values that look wrong.");
   }
 } // namespace RollingContact::Bindings

@@ -126,7 +126,7 @@ namespace RollingContact::Bindings
         state,
         "spin_moment",
         [](S s) { return s.forces.spin_moment; },
-        "About +z through the origin. Unit: N m.");
+        "Moment about +z through the origin. Unit: N m.");
       define(
         state,
         "max_pressure",
@@ -138,8 +138,8 @@ namespace RollingContact::Bindings
         [](S s) {
           return py::make_tuple(s.creepages.x, s.creepages.y, s.creepages.spin);
         },
-        "(creepage x, creepage y, spin), found where forces are given. Units: "
-        "1, 1, 1/m.");
+        "(creepage x, creepage y, spin), given or found for given forces. "
+        "Units: 1, 1, 1/m.");
     }
 
     void define_energies(py::class_<TransientState> &state)
@@ -164,7 +164,7 @@ namespace RollingContact::Bindings
         state,
         "friction_energy",
         [](S s) { return s.progress.friction_energy; },
-        "Turned into heat by friction. Unit: J.");
+        "Energy that friction has turned into heat. Unit: J.");
       define(
         state,
         "damping_energy",
@@ -174,7 +174,7 @@ namespace RollingContact::Bindings
         state,
         "numerical_energy",
         [](S s) { return s.progress.numerical_energy; },
-        "Dissipated by theta. Unit: J.");
+        "Energy that the theta-scheme has dissipated. Unit: J.");
     }
 
     void define_steps(py::class_<TransientState> &state)
@@ -186,10 +186,13 @@ namespace RollingContact::Bindings
         state,
         "force_time",
         [](S s) { return s.force_time; },
-        "The time that the forces belong to, (1 - theta) of a step before the "
-        "end. Unit: s.");
+        "Time of the forces, which lies (1 - theta) of a step before the end. "
+        "Unit: s.");
       define(
-        state, "step", [](S s) { return s.progress.step; }, "Steps done.");
+        state,
+        "step",
+        [](S s) { return s.progress.step; },
+        "Number of steps done.");
       define(
         state, "approach", [](S s) { return s.approach; }, "Unit: m.");
       define(
@@ -203,22 +206,23 @@ namespace RollingContact::Bindings
         state,
         "n_touching",
         [](S s) { return s.forces.n_touching; },
-        "Nodes in contact.");
+        "Number of nodes in contact.");
       define(
         state,
         "n_sticking",
         [](S s) { return s.n_sticking; },
-        "Nodes that stick.");
+        "Number of nodes that stick.");
       define(
         state,
         "n_parts",
         [](S s) { return s.n_parts; },
-        "Of the step: 1 unless it was halved.");
+        "Number of parts of the step: 1 unless it was halved.");
       define(
         state,
         "wheel_velocity",
         [](S s) { return s.wheel_velocity; },
-        "Of the centre of mass of a free wheel along z, else None. Unit: m/s.");
+        "Velocity along z of the centre of mass of a free wheel, else None. "
+        "Unit: m/s.");
       define(
         state,
         "seconds",
@@ -232,8 +236,8 @@ namespace RollingContact::Bindings
       py::class_<TransientState> state(
         module,
         "TransientState",
-        "The end of a time step, a copy of its own. Forces are those on the "
-        "wheel; energies and distances those since the start. SI units.");
+        "The state at the end of a time step, as a copy. Forces are those on "
+        "the wheel; energies and distances count from the start. SI units.");
       define_steps(state);
       define_forces(state);
       define_energies(state);
@@ -247,7 +251,8 @@ namespace RollingContact::Bindings
       });
       py::class_<Saved>(module,
                         "SavedState",
-                        "What Transient.save() returns and restore() takes.");
+                        "A state that Transient.save() returns and "
+                        "Transient.restore() takes.");
     }
 
     void define_step(py::class_<PyTransient> &transient)
@@ -292,13 +297,16 @@ namespace RollingContact::Bindings
         py::arg("lateral_force")      = none,
         py::arg("spin_moment")        = none,
         py::arg("between")            = "linear",
-        "Take a step of dt (s; by default the scene's, another length "
-        "factorises anew) to values at its end, on the way to which they are "
-        "linear, or held from its start. What is not given stays what it was "
-        "given last or, before that, follows the scene's history. A force "
-        "takes the place of its creepage, which is found for it, and the other "
-        "way round. Units: N, m, 1, 1, 1/m, m/s, N, N, N m. Raises InputError, "
-        "ConvergenceError, KeyboardInterrupt; the step has not happened then.");
+        "Take one step of dt (s). Without dt it has the length of the scene; "
+        "another length factorises anew. The arguments are the values at the "
+        "end of the step. On the way there they are linear, or constant from "
+        "its start on with between=\"held\". An argument that is left out "
+        "keeps the value that it was given last; if it was never given, it "
+        "follows the history of the scene. A force takes the place of its "
+        "creepage, which is found for it, and a creepage that of its force. "
+        "Units: N, m, 1, 1, 1/m, m/s, N, N, N m. Raises InputError, "
+        "ConvergenceError or KeyboardInterrupt; the session is then as it was "
+        "before the step.");
     }
   } // namespace
 
@@ -308,8 +316,8 @@ namespace RollingContact::Bindings
     py::class_<PyTransient> transient(
       module,
       "Transient",
-      "A scene in time whose steps are taken one by one under control from "
-      "outside. To be used by one thread at a time.");
+      "A scene in time whose steps are taken one by one from Python. Only one "
+      "thread at a time may use it.");
     transient.def(
       py::init([](const py::object           &scene,
                   const py::object           &settings,
@@ -325,14 +333,15 @@ namespace RollingContact::Bindings
       py::arg("settings")  = py::none(),
       py::arg("time_step") = py::none(),
       py::arg("verbosity") = "quiet",
-      "Of a path, a text or a Scene, see Scene; Analysis becomes transient. "
-      "time_step (s) takes the place of Time/Time step. End time and Rolled "
-      "distance may be left out and end nothing. Raises InputError.");
+      "Make it of the path of a .prm file, of its text or of a Scene; "
+      "Analysis becomes transient. time_step (s) takes the place of Time/Time "
+      "step. End time and Rolled distance may be left out; they do not end "
+      "the run. Raises InputError.");
     define_step(transient);
     transient
       .def_property_readonly("state",
                              &PyTransient::state,
-                             "The end of the last step.")
+                             "The state at the end of the last step.")
       .def_property_readonly(
         "time", [](PyTransient &self) { return self.state().time; }, "Unit: s.")
       .def("fields",
@@ -340,17 +349,18 @@ namespace RollingContact::Bindings
            "Fields at the end of the last step.")
       .def("save",
            &PyTransient::save,
-           "A copy of the state now, in memory, for masters that repeat steps.")
+           "A copy of the state, kept in memory, for master algorithms that "
+           "repeat steps.")
       .def(
         "restore",
         &PyTransient::restore,
         py::arg("saved"),
-        "Go to a state that this session saved and return it: the steps from "
-        "there give the same numbers, bit by bit. Raises InputError if "
+        "Return to a state that this session saved, and return it. The steps "
+        "from there give the same numbers, bit by bit. Raises InputError if "
         "another session saved it.")
       .def_readonly("warnings",
                     &PyTransient::warnings,
-                    "Entries of the scene without effect and values that are "
-                    "hardly meant so.");
+                    "Warnings: entries of the scene without effect, and "
+                    "values that look wrong.");
   }
 } // namespace RollingContact::Bindings

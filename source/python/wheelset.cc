@@ -79,19 +79,20 @@ namespace RollingContact::Bindings
       add(
         "name",
         [](Placed self) { return self.found.name; },
-        "leading or trailing one of a bogie; empty.");
+        "\"leading\" or \"trailing\" for a bogie, else empty.");
       add(
         "curvature",
         [](Placed self) { return self.found.state.acting.curvature; },
-        "Of the track, positive to the right. Unit: 1/m.");
+        "Curvature of the track, positive to the right. Unit: 1/m.");
       add(
         "lateral_shift",
         [](Placed self) { return self.found.state.place.shift; },
-        "To the right. Unit: m.");
+        "Lateral shift to the right. Unit: m.");
       add(
         "yaw",
         [](Placed self) { return self.found.state.place.yaw; },
-        "Against the radial direction, right-handed about z down. Unit: rad.");
+        "Yaw against the radial direction, right-handed about z, which points "
+        "down. Unit: rad.");
       add(
         "roll", [](Placed self) { return self.found.roll; }, "Unit: rad.");
       add(
@@ -108,28 +109,29 @@ namespace RollingContact::Bindings
           const auto &bounds = *self.found.bounds;
           return py::make_tuple(bounds[0], bounds[1], bounds[2]);
         },
-        "How far shift, yaw and the axle's turn over V/r0 may be off; None "
-        "where no bound is known. Units: m, rad, 1.");
+        "Bounds of the errors of shift, yaw and the axle's turn over V/r0; "
+        "None where no bound is known. Units: m, rad, 1.");
       add(
         "frame_shift",
         [](Placed self) { return self.found.frame[0]; },
-        "Of the frame of a bogie. Unit: m.");
+        "Lateral shift of the frame of a bogie. Unit: m.");
       add(
         "frame_yaw",
         [](Placed self) { return self.found.frame[1]; },
-        "Of the frame of a bogie. Unit: rad.");
+        "Yaw of the frame of a bogie. Unit: rad.");
       add(
         "lateral_force",
         [](Placed self) { return self.found.state.lateral_force; },
-        "Of the suspension, to the right. Unit: N.");
+        "Force of the suspension to the right. Unit: N.");
       add(
         "yaw_moment",
         [](Placed self) { return self.found.state.yaw_moment; },
-        "Of the suspension, right-handed about z down. Unit: N m.");
+        "Moment of the suspension, right-handed about z, which points down. "
+        "Unit: N m.");
       add(
         "drag",
         [](Placed self) { return self.found.drag(); },
-        "Of both wheels against the direction of travel. Unit: N.");
+        "Force on both wheels against the direction of travel. Unit: N.");
       add(
         "creep_work",
         [](Placed self) { return self.found.creep_work(); },
@@ -137,7 +139,7 @@ namespace RollingContact::Bindings
       add(
         "residual",
         [](Placed self) { return self.found.residual(); },
-        "What is left of the balances over the axle load. Unit: 1.");
+        "Largest residual of the balances over the axle load. Unit: 1.");
     }
   } // namespace
 
@@ -146,7 +148,7 @@ namespace RollingContact::Bindings
     py::class_<PlacedWheelset> state(module,
                                      "WheelsetState",
                                      "A wheelset in balance and its wheels, "
-                                     "copies of their own. SI units.");
+                                     "as copies. SI units.");
     define_place(state);
     for (const auto &[name, wheel] :
          {std::pair("right", 0), std::pair("left", 1)})
@@ -155,7 +157,7 @@ namespace RollingContact::Bindings
         [wheel = wheel](const PlacedWheelset &self) {
           return self.wheels[wheel];
         },
-        "The state of that wheel, see State.");
+        "The state of this wheel, see State.");
     state.def("__repr__", [](const PlacedWheelset &self) {
       const WheelsetPlace &place = self.found.state.place;
       return py::str("<rolling_contact.WheelsetState: curvature {:.6g} 1/m, "
@@ -165,18 +167,20 @@ namespace RollingContact::Bindings
     py::class_<PyWheelset>(
       module,
       "Wheelset",
-      "A wheelset or bogie of a scene, whose equilibria are found; Analysis is "
-      "wheelset, whatever the scene says. See doc/howto/wheelset.md.")
+      "A wheelset or bogie of a scene, whose equilibria are found. Analysis "
+      "becomes wheelset. See doc/howto/wheelset.md.")
       .def(py::init([](const py::object &scene, const py::object &settings) {
              return std::make_unique<PyWheelset>(
                make_scene_of("wheelset", scene, settings));
            }),
            py::arg("scene"),
            py::arg("settings") = py::none(),
-           "Of a path, a text or a Scene, see Scene. Raises InputError.")
+           "Make it of the path of a .prm file, of its text or of a Scene. "
+           "Raises InputError.")
       .def("solve",
            &PyWheelset::solve,
-           "The equilibria in one curve after the other, a WheelsetState for "
-           "each wheelset. Raises ConvergenceError in a curve without one.");
+           "Find the equilibria in one curve after the other; returns a "
+           "WheelsetState for each wheelset. Raises ConvergenceError in a "
+           "curve without an equilibrium.");
   }
 } // namespace RollingContact::Bindings

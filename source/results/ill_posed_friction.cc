@@ -67,12 +67,12 @@ namespace RollingContact
            " times what the bodies radiate as waves, at x = " +
            millimetres(position[0]) +
            (scene.dimension == 3 ? ", y = " + millimetres(position[1]) : "") +
-           ". The contact by itself is unstable then: waves of two elements (" +
+           ". The contact alone is unstable then: waves of two elements (" +
            millimetres(2 * element_size) + ") grow by about " +
            significant(s, 2) +
-           " 1/s, shorter ones faster, and neither smaller steps nor finer "
-           "elements have a limit. Give friction a memory: Contact/Friction "
-           "response = patch mean with Contact/Friction memory (s), or "
-           "Contact/Friction memory length (m).";
+           " 1/s and shorter ones faster, so that neither smaller steps nor "
+           "finer elements have a limit. Give friction a memory: "
+           "Contact/Friction response = patch mean with Contact/Friction "
+           "memory (s), or Contact/Friction memory length (m).";
   }
 } // namespace RollingContact

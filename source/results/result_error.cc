@@ -157,8 +157,13 @@ namespace RollingContact
     if (steady.problem.n_tangential() == 0)
       {
         const double unknown = std::numeric_limits<double>::quiet_NaN();
-        report.errors.push_back(
-          {"load", unknown, "N", "neither mesh nor time step", true, ""});
+        report.errors.push_back({"load",
+                                 unknown,
+                                 "N",
+                                 "neither the error of the mesh nor that of "
+                                 "the time step",
+                                 true,
+                                 ""});
         return;
       }
     report.errors.push_back(
@@ -175,8 +180,9 @@ namespace RollingContact
         error.time_step    = share;
         error.remark       = text + " for the time step";
         if (std::isnan(error.value))
-          error.reference = (force ? error.reference : "not the mesh") + "; " +
-                            text + " of " + error.scale + " for the time step";
+          error.reference =
+            (force ? error.reference : "the error of the mesh is not known") +
+            "; " + text + " of " + error.scale + " for the time step";
         else
           error.value += share;
       }

@@ -38,8 +38,7 @@ namespace RollingContact
       "area of contact " + significant(1e6 * area, 4) +
       " mm^2 and peak pressure " + significant(1e-6 * result.max_pressure, 5) +
       " MPa belong to waves of " + text_of_waves(resolved->shortest) +
-      " and more; with shorter ones they do not converge. Rms "
-      "slope " +
+      " and longer; they change further as shorter waves are added. Rms slope " +
       significant(resolved->rms_slope, 3);
     if (dim == 3)
       text += ", area E* slope / N = " + significant(slope_over_pressure, 3);
@@ -49,8 +48,8 @@ namespace RollingContact
         "Of the rough surface the peak pressure is " +
         significant(1e-6 * result.max_pressure, 4) +
         " MPa, more than 3 k = " + significant(3e-6 * k, 4) +
-        " MPa (k: Wear/Shear yield stress): asperities yield, which the "
-        "elastic bodies here do not, and pressures are lower then.");
+        " MPa (k: Wear/Shear yield stress). Real asperities would yield, "
+        "which elastic bodies do not, and pressures would be lower.");
   }
 
   template <int dim>
@@ -64,10 +63,9 @@ namespace RollingContact
       context.log.warning(
         "A step rolls " + millimetres(rolled) + ", an element is " +
         millimetres(element) +
-        " long: in the history waves of the surfaces "
-        "shorter than " +
+        " long: in the history, waves of the surfaces shorter than " +
         millimetres(2 * rolled) +
-        " look like longer ones. Take shorter steps (Time/Time step or Step "
+        " appear as longer ones. Take shorter steps (Time/Time step or Step "
         "length).");
   }
 

@@ -264,16 +264,16 @@ namespace RollingContact
     const double large = 0.01; // rad
     if (total > 0. && std::abs(slope) > large * total)
       context.log.warning(
-        "Under load the patch is where the rail slopes by " +
+        "Under load the patch lies where the rail slopes by " +
         significant(std::abs(slope / total), 2) +
-        " rad against the plane of contact: by so much of the load is the "
-        "lateral force off in the axes of the track, and the coupling of both "
-        "in vibrations. " +
+        " rad against the plane of contact. In the axes of the track the "
+        "lateral force is off by this share of the load, and so is the "
+        "coupling of both in vibrations. " +
         (scene.follows_profiles()
-           ? "Bodies that bend and move across take the patch with them on "
-             "Profiles/Contact surface = curved."
+           ? "Profiles/Contact surface = curved lets the patch move with "
+             "bodies that bend or move across."
            : "Profiles/Contact surface = loaded plane takes the plane at the "
-             "patch of half-spaces."));
+             "patch that half-spaces have under load."));
   }
 
   template <int dim>
@@ -294,9 +294,9 @@ namespace RollingContact
     if (turn > large)
       context.log.warning(
         "The rail's normal turns by " + significant(turn / degree, 3) +
-        " degrees over the contact, which is taken as plane: forces are off "
-        "by the sines and cosines of half of that; Profiles/Contact surface = "
-        "curved has a normal for each node.");
+        " degrees over the contact, which is taken as plane. Forces are off "
+        "by the sine and cosine of half this angle; Profiles/Contact surface "
+        "= curved has a normal for each node.");
   }
 
   template <int dim>
@@ -313,15 +313,16 @@ namespace RollingContact
       context.log.warning(
         "At " + std::to_string(n_unresolved) + " of " +
         std::to_string(n_edges) +
-        " leading edges `upwind 2` stands in for the edge law, as the gap or "
-        "the pressure changes from node to node: take more elements "
-        "(Mesh/Elements across patch), 8 at least for a wave of "
+        " leading edges `upwind 2` takes the place of the edge law, because "
+        "the gap or the pressure changes from node to node: take more "
+        "elements (Mesh/Elements across patch), at least 8 for a wave of "
         "Contact/Roughness.");
     for (const std::string &way : ways)
       context.log.warning(
         "Solved by \"" + way +
-        "\", not by the active set alone: the laws hold within the residual, "
-        "but the force may be off by more than it is elsewhere on this mesh" +
+        "\", not by the active set alone: the laws of contact hold within the "
+        "residual, but the force may have a larger error than is usual on "
+        "this mesh" +
         (n_states > 1 ? " (column solver of results.csv)." : "."));
     warn_of_large_strains(
       strain_measures(scene, last.result, last.state.approach), context.log);

@@ -26,7 +26,7 @@ namespace RollingContact
     const bool        in_time = solutions != SolutionsOf::steady_states;
     const std::string what =
       in_time
-        ? "Steps of which friction and sliding speed may have several "
+        ? "Steps in which friction and sliding speed may have several "
           "solutions: " +
             std::to_string(worst.n_above) + " of " + std::to_string(worst.n)
         : "Friction falls so steeply that the steady state may be one of "
@@ -36,11 +36,12 @@ namespace RollingContact
         ? "Which one is found depends on where the solver starts; a transient "
           "with inertia tells which one follows from a known state."
       : solutions == SolutionsOf::steps_with_inertia
-        ? "The solver begins with the friction of the step before. Only steps "
-          "well below the time that a wave needs across an element have one "
-          "solution for certain."
-        : "Without inertia nothing limits how fast sliding changes, and smaller "
-          "steps make it worse: take longer ones, or Time/Inertia = true.";
+        ? "The solver starts from the friction of the step before. The "
+          "solution is certain to be the only one if steps are well below the "
+          "time that a wave needs to cross an element."
+        : "Without inertia nothing limits how fast sliding changes, and "
+          "smaller steps make it worse: take longer steps, or Time/Inertia = "
+          "true.";
     log.warning(
       what + ". Worst ratio of fall to compliance " +
       significant(worst.ratio, 3) +

@@ -55,21 +55,23 @@ namespace RollingContact
   void BodyParameters::declare_hub(Entries &entries)
   {
     entries.choice("Elements", model.elements, named_elements).help =
-      "Linear elements: `B-bar`, for all materials, or `enhanced` by "
-      "incompatible modes, which bend with one or two through a web.";
+      "Kind of the linear elements. `B-bar`: for all materials. `enhanced`: "
+      "with incompatible modes, which bend well with one or two elements "
+      "through a web.";
     entries.choice("Hub", hub, named_hubs).help =
-      "What the inner circle of a disc, the bottom of a block, the bore of a "
-      "wheel or the foot of a rail does: `clamped`; `elastic`, on the springs "
-      "of Foundation stiffness; `free`, in a transient analysis, where inertia "
-      "alone holds the body; `mass`, fixed to the rigid mass of an axle, there "
-      "and for a wheel that vibrates about a steady state, which holds the "
-      "axle.";
+      "How a body is held: a disc at its inner circle, a block at its bottom, "
+      "a wheel at its bore, a rail at its foot. `clamped`: it does not move. "
+      "`elastic`: on springs, see Foundation stiffness. `free`: by its "
+      "inertia alone, in a transient analysis. `mass`: on the rigid mass of "
+      "an axle, in a transient analysis and for a wheel that vibrates about a "
+      "steady state in which the axle is held.";
     const Reader of_mass =
       reader(hangs_on_axle, "an elastic body with Hub = mass reads it");
     entries.add("Hub mass", model.hub_mass.mass, "kg")
       .at_least(0.)
       .read_by(of_mass)
-      .help = "Rigid mass of Hub = mass, at the middle of the hub.";
+      .help = "Mass of the rigid axle at the middle of the hub, for Hub = "
+              "mass.";
     for (unsigned int c = 0; c < 3; ++c)
       entries.add("Hub inertia " + axes[c], model.hub_mass.inertia[c], "kg m^2")
         .at_least(0.)
@@ -85,7 +87,7 @@ namespace RollingContact
   Reader BodyParameters::analyses_of_modes()
   {
     return {finds_modes,
-            "modes of a body have it, and this analysis finds none"};
+            "it belongs to the modes of a body, and this analysis finds none"};
   }
 
   std::vector<Reader> BodyParameters::readers_of_damping() const
@@ -96,8 +98,8 @@ namespace RollingContact
                return finds_modes(scene) ||
                       (scene.time.inertia && scene.marches());
              },
-             "only bodies with inertia are damped, Analysis = transient with "
-             "Time/Inertia = true, and those of analyses of modes"}};
+             "damping acts in Analysis = transient with Time/Inertia = true "
+             "and in analyses of modes only"}};
   }
 
   void BodyParameters::declare_modes(Entries &entries)
@@ -108,22 +110,22 @@ namespace RollingContact
           .read_by(scenes_in_3d())
           .read_by(analyses_of_modes())
           .help =
-          "How a rail vibrates: by the modes of its `mesh`, which ends after "
-          "Block length, or as a `waveguide`, by the waves in its section, "
-          "without ends; for extruded rails (section, true sections of "
-          "profiles) on a layer or on pads (Hub = elastic). The mesh is used at "
-          "rest.";
+          "How a rail vibrates. `mesh`: by the modes of its mesh, which ends "
+          "after Block length. `waveguide`: by the waves in its section, "
+          "without ends, for extruded rails (section, true sections of "
+          "profiles) on a layer or on pads (Hub = elastic). The mesh still "
+          "gives the static deformation.";
         return;
       }
     entries.choice("Model", modes, named_mode_models)
       .read_by(scenes_in_3d())
       .read_by(analyses_of_modes())
       .help =
-      "Where the modes of a wheel come from: `mesh`, its elements in three "
-      "dimensions, or `harmonic`, cubic elements of its section and Fourier "
-      "series about the axle, which are exact to 0.1 % and need no fine mesh; "
-      "for wheels of revolution (disc, section, true sections of profiles) "
-      "whose hub is clamped or free.";
+      "Where the modes of a wheel come from. `mesh`: from its elements in "
+      "three dimensions. `harmonic`: from cubic elements of its section and "
+      "Fourier series about the axle, which are exact to 0.1 % without a fine "
+      "mesh; for wheels of revolution (disc, section, true sections of "
+      "profiles) whose hub is not elastic.";
   }
 
   void BodyParameters::check_modes(const BodyShape   *body_shape,
@@ -170,15 +172,15 @@ namespace RollingContact
       .at_least(0.)
       .read_by(damped)
       .help =
-      "Of the material: stiffness times 1 + i times this in the frequency "
-      "domain; see Loss frequency.";
+      "Loss factor eta of the material. In the frequency domain the stiffness "
+      "is multiplied by 1 + i eta; see Loss frequency.";
     entries.add("Loss frequency", damping.loss_frequency, "Hz")
       .at_least(0.)
       .read_by(damped)
       .read_by({[](const SceneParameters &scene) {
                   return !scene.analysis.has_lone_bodies();
                 },
-                "in the frequency domain loss factors need none"})
+                "in the frequency domain loss factors need no such frequency"})
       .read_by(
         {[is_wheel = section == "Wheel"](const SceneParameters &scene) {
            const BodyParameters &body = is_wheel ? scene.wheel : scene.rail;
@@ -195,33 +197,37 @@ namespace RollingContact
         },
         "all loss factors are 0"))
       .help =
-      "With Time/Bodies = full loss factors are viscous, C = eta K / (2 pi f), "
-      "as large as at this frequency f, and so is always the Loss factor of "
-      "what lies under the contact and is not in the modes. Modes lose at "
-      "their own frequencies.";
+      "Frequency f at which viscous damping, C = eta K / (2 pi f), is as "
+      "large as the loss factor eta asks for. Damping is viscous with "
+      "Time/Bodies = full, and always for the material under the contact that "
+      "the modes leave out. Modes have the loss factors at their own "
+      "frequencies.";
     entries.add("Rayleigh mass", damping.mass_damping, "1/s")
       .at_least(0.)
       .read_by(damped)
-      .help = "Damping C = this times M, beside that of section Time.";
+      .help = "Damping C = this value times M, in addition to that of section "
+              "Time.";
     entries.add("Rayleigh stiffness", damping.stiffness_damping, "s")
       .at_least(0.)
       .read_by(damped)
-      .help = "Damping C = this times K, beside that of section Time.";
+      .help = "Damping C = this value times K, in addition to that of section "
+              "Time.";
     const Reader ends =
-      reader(has_ends, "Model = waveguide is of a rail without ends");
+      reader(has_ends,
+             "a rail with Model = waveguide has no ends and no modes");
     entries.list("Modal damping", damping.modal, "", "1")
       .read_by(analyses_of_modes())
       .read_by(ends)
       .help =
-      "Damping ratios of modes with 0, 1, 2, ... nodal diameters, of all "
-      "further ones the last.";
+      "Damping ratios of modes with 0, 1, 2, ... nodal diameters. The last "
+      "one holds for all further modes.";
     entries.add("Sponge length", damping.sponge_length, "m")
       .at_least(0.)
       .read_by(damped)
       .read_by(ends)
       .help =
-      "Of the part at each end of a rail that absorbs waves, C = a(x) M; 0 "
-      "for none.";
+      "Length of the part at each end of a rail that absorbs waves by damping "
+      "C = a(x) M; 0: none.";
     entries.add("Sponge rate", damping.sponge_rate, "1/s")
       .at_least(0.)
       .read_by(damped)
@@ -231,8 +237,8 @@ namespace RollingContact
         },
         "there are no absorbing ends, Sponge length = 0"))
       .help =
-      "Largest a, at the very ends; inwards it falls to 0 with the square of "
-      "the distance.";
+      "Largest a of the absorbing ends (Sponge length), at the very ends. "
+      "Inwards a falls to 0 with the square of the distance.";
   }
 
   void BodyParameters::check_model(const BodyShape *body_shape) const
@@ -247,8 +253,8 @@ namespace RollingContact
       require(model.hub_mass.mass > 0.,
               "Hub mass",
               model.hub_mass.mass,
-              "Hub = mass needs one above 0 kg; an axle has some 300, a hub "
-              "without is Hub = free.");
+              "Hub = mass needs a mass above 0 kg; an axle has some 300 kg. "
+              "For a hub without mass take Hub = free.");
     if (hub == Hub::elastic)
       check_foundation(body_shape);
     check_damping(body_shape);
@@ -305,7 +311,8 @@ namespace RollingContact
     require(damping.loss_frequency > 0.,
             "Loss frequency",
             damping.loss_frequency,
-            "it must be above 0 Hz; take one amid those of interest.");
+            "it must be above 0 Hz; take one in the middle of the frequencies "
+            "of interest.");
     for (const double ratio : damping.modal)
       require(ratio >= 0. && ratio < 1.,
               "Modal damping",
@@ -351,7 +358,8 @@ namespace RollingContact
                   layer + " stiffness " + axes[c],
                   stiffness[c],
                   "nothing holds the body along " + axes[c] +
-                    ", which only inertia can do without: give it in N/m^2.");
+                    ", and without inertia it must be held: give a stiffness "
+                    "in N/m^2.");
     };
     check("Foundation", model.foundation.stiffness);
     if (model.foundation.has_sleepers())

@@ -50,15 +50,15 @@ namespace RollingContact
     entries.add("Shape", shape).one_of(choice_names(body_shape_kinds())).help =
       body_shape_help();
     entries.add("Rigid", rigid).help =
-      "A rigid body is a profile without mesh or compliance.";
+      "Whether the body is rigid: a profile without mesh and compliance.";
     entries.add("Radius", radius, "m").help =
       "Radius of the profile in the rolling direction. For a block or a mesh "
-      "file, 0 is flat and a negative radius is concave; a section is "
-      "revolved about an axle so far behind the contact point, with 0 "
-      "extruded.";
+      "file, 0 is flat and a negative radius is concave. A section is "
+      "revolved about an axle at this distance behind the contact point; 0 "
+      "extrudes it.";
     entries.add("Lateral radius", lateral_radius, "m").help =
-      "Radius of the profile across the rolling direction, 3D only; 0 is "
-      "flat, negative concave.";
+      "Radius of the profile across the rolling direction, 3D only. 0 is "
+      "flat; a negative radius is concave.";
     const Reader plain_sections{
       asks<AnalysisTraits, ProfileParameters>(
         [](const auto &analysis, const auto &profiles) {
@@ -68,8 +68,7 @@ namespace RollingContact
     entries.add("Hub radius", hub_radius, "m").at_least(0.).help =
       "Radius of the inner circle of a disc.";
     entries.add("Block length", block_length, "m").at_least(0.).help =
-      "Extent of a block, or of a section that is extruded, in the rolling "
-      "direction.";
+      "Extent of a block or of an extruded section in the rolling direction.";
     const std::vector<Reader> of_block =
       section == "Rail" ? std::vector{plain_sections} : std::vector<Reader>();
     entries.add("Block depth", block_depth, "m")
@@ -80,8 +79,8 @@ namespace RollingContact
       .at_least(0.)
       .read_by(
         {[](const SceneParameters &scene) { return scene.dimension == 2; },
-         "it is that of plane strain, Dimension = 2; in 3D a body has a "
-         "Width"})
+         "it is the thickness of plane strain (Dimension = 2); in 3D a body "
+         "has a Width"})
       .help = "Thickness in 2D (plane strain), the same for both bodies.";
     entries.add("Width", width, "m")
       .at_least(0.)
@@ -95,27 +94,28 @@ namespace RollingContact
     entries.add("Mesh file", mesh_file).help =
       "Gmsh .msh or Abaqus .inp file of quadrilaterals (2D) or hexahedra "
       "(3D), relative to the folder of the .prm file. x is the rolling "
-      "direction, z (in 2D the file's y) goes from rail to wheel, the contact "
-      "point is the origin, the wheel lies above it and the rail below. For "
-      "Shape = section quadrilaterals of the section: the file's x is y, "
-      "across, its y is z, so that an axle lies at z = Radius (wheel) or "
-      "-Radius; with section Profiles its axes are those of the body's "
-      "profile.";
+      "direction and z (in 2D the file's y) points from rail to wheel. The "
+      "contact point is the origin; the wheel lies above it and the rail "
+      "below. For Shape = section the file has quadrilaterals of the section: "
+      "its x is y (across) and its y is z, so that an axle lies at z = Radius "
+      "(wheel) or -Radius (rail). With section Profiles its axes are those of "
+      "the body's profile.";
     entries.add("Mesh unit", mesh_unit, "m").at_least(0.).help =
       "Length of one unit of the mesh file, 0.001 for millimetres.";
     entries.add("Contact boundary id", contact_boundary, "1").at_least(1).help =
-      "Of the part of the mesh file's boundary that may touch: a physical "
-      "group of Gmsh, or the digits in the name of an Abaqus surface.";
+      "Number of the part of the mesh file's boundary that may touch: a "
+      "physical group of Gmsh, or the digits in the name of an Abaqus surface.";
     entries.add("Hub boundary id", hub_boundary, "1").at_least(1).help =
-      "The same of the part that is the hub.";
+      "Number of the part of the mesh file's boundary that is the hub, given "
+      "as in Contact boundary id.";
     entries.add("Cells along", cells_along, "1").between(1, 100000).help =
-      "Number of equal cells of a section round its axle or along the rail; "
-      "those at the patch are divided as the contact needs.";
+      "Number of equal cells of a section round its axle or along the rail. "
+      "Cells at the patch are divided as the contact needs.";
     entries.choice("Surface", surface, named_surfaces).help =
-      "Undeformed surface of a mesh file's contact boundary: `radii` takes "
-      "Radius and Lateral radius, which its nodes must lie on, and keeps "
-      "facets out of the gap; `nodes` takes the nodes, and the radii for the "
-      "estimate of the patch only.";
+      "Undeformed surface of a mesh file's contact boundary. `radii`: it has "
+      "Radius and Lateral radius, its nodes must lie on that shape, and the "
+      "facets do not show in the gap. `nodes`: it goes through the nodes, and "
+      "the radii serve the estimate of the patch only.";
   }
 
   void BodyParameters::declare_material(Entries &entries)
@@ -130,20 +130,20 @@ namespace RollingContact
       "Mass density, for analyses with inertia and flash temperatures.";
     entries.add("Thermal conductivity", thermal_conductivity, "W/(m K)")
       .at_least(0.)
-      .help = "For flash temperatures.";
+      .help = "Thermal conductivity, for flash temperatures.";
     entries.add("Heat capacity", heat_capacity, "J/(kg K)").at_least(0.).help =
-      "For flash temperatures.";
+      "Specific heat capacity, for flash temperatures.";
     entries.add("Temperature", temperature, "K").at_least(150.).help =
-      "Of the body away from the contact, which the flash temperature adds to; "
-      "20 degrees Celsius are 293.15 K.";
+      "Temperature of the body away from the contact, to which the flash "
+      "temperature is added. 20 degrees Celsius are 293.15 K.";
     const std::string what =
       section == "Wheel"
         ? "name: radius in m, angle from the contact in degrees (towards +x), "
-          "position along the axle in m (towards +y), several separated by "
-          "semicolons, such as `tread: 0.46, 90, 0; web: 0.3, 0, 0.01`. They stay "
-          "where they are as the wheel turns."
-        : "name: x, y, z in m from the contact point, z upwards, several "
-          "separated by semicolons, such as `foot: 0.3, 0, -0.17`.";
+          "position along the axle in m (towards +y). Separate several by "
+          "semicolons, such as `tread: 0.46, 90, 0; web: 0.3, 0, 0.01`. The "
+          "points stay where they are as the wheel turns."
+        : "name: x, y, z in m from the contact point, z upwards. Separate "
+          "several by semicolons, such as `foot: 0.3, 0, -0.17`.";
     const std::string unit = section == "Wheel" ? "m, degrees" : "m";
     entries.add("Velocity points", velocity_points, unit)
       .read_by(reader([](const BodyParameters &body) { return !body.rigid; },
@@ -153,11 +153,10 @@ namespace RollingContact
                     return analysis.records_run && time.inertia;
                   }),
                 "Analysis = transient with Time/Inertia = true reads it"})
-      .help = "Points whose velocities Analysis = transient with "
-              "inertia writes into history.csv, columns "
-              "velocity_NAME_x_m/s, ...; a section from a file under "
-              "profiles has its file's origin in place of the contact. "
-              "Of each, " +
+      .help = "Points whose velocities Analysis = transient with inertia "
+              "writes into history.csv, as columns velocity_NAME_x_m/s and so "
+              "on. In a section from a file under profiles, the origin of the "
+              "file takes the place of the contact. Give each point as " +
               what;
   }
 

@@ -22,7 +22,9 @@ namespace RollingContact
       {asks<ProfileParameters>(
          [](const auto &profiles) { return !profiles.gives_creepages(); }),
        "Profiles/Creepages = from kinematics gives them"},
-      {&place_is_given, "those of a wheelset are found"},
+      {&place_is_given,
+       "the analysis finds the motion of the wheelset and "
+       "with it the creepages"},
       {asks<AnalysisTraits, MeshParameters>(
          [](const auto &analysis, const auto &mesh) { // levels refine for them
            return !analysis.own_creepages || mesh.adaptive_levels > 0;
@@ -56,29 +58,33 @@ namespace RollingContact
   void ContactParameters::declare_load(Entries &entries)
   {
     entries.add("Normal load", normal_load, "N").renewing(Renews::patch).help =
-      "Force that presses the wheel on the rail; the approach follows. Give "
-      "this, `Vertical load` or `Approach`.";
+      "Force that presses the wheel on the rail; the approach follows from "
+      "it. Give this, `Vertical load` or `Approach`.";
     entries.add("Vertical load", vertical_load, "N")
       .renewing(Renews::patch)
       .help =
-      "Vertical force of the rail on the wheel, which the normal load and "
-      "friction share where profiles touch at an angle.";
+      "Vertical force of the rail on the wheel. Where profiles touch at an "
+      "angle, the normal load and friction carry it together.";
     entries.add("Approach", approach, "m").renewing(Renews::patch).help =
-      "Displacement of the wheel's hub towards the rail from first touch; the "
-      "load follows.";
+      "Displacement of the wheel's hub towards the rail, counted from first "
+      "touch; the load follows from it.";
     entries.choice("Slip operator", slip_operator, slip_operator_choices())
       .renewing(Renews::bodies)
-      .help = "B1. " + choice_help(slip_operator_choices());
+      .help = "Discretisation of the slip operator B1. " +
+              choice_help(slip_operator_choices());
     entries
       .choice("Contact matrices", contact_matrices, contact_matrices_choices())
-      .help = "H_n and H_t. " + choice_help(contact_matrices_choices());
+      .help = "How the contact matrices H_n and H_t are computed. " +
+              choice_help(contact_matrices_choices());
     entries.add("Roughness", roughness, "m").help =
-      "Added to the gap of the smooth profiles: an expression in x and y (m) "
-      "such as 2e-6*cos(2*pi*x/1e-3), with pi and the functions of the "
-      "histories in section Time; or taken from it, heights out of a body: " +
+      "Roughness that stays where it is while the material flows. An "
+      "expression in x and y (m) such as 2e-6*cos(2*pi*x/1e-3), with pi and "
+      "the functions of the histories in section Time, is added to the gap of "
+      "the smooth profiles. Heights in a file point out of a body and are "
+      "subtracted from the gap: " +
       std::string(kinds_of_surface_files) +
-      ", in units of section Surfaces, its positions along x; empty for none. "
-      "It does not travel with the material.";
+      ", in units of section Surfaces, with its positions along x. Empty for "
+      "none.";
   }
 
   void ContactParameters::declare_friction(Entries &entries)
@@ -86,43 +92,48 @@ namespace RollingContact
     entries.add("Friction coefficient", friction_coefficient, "1")
       .at_least(0.)
       .help =
-      "Coulomb's mu, the static mu_s of a law that falls; 0 leaves all of "
-      "friction out.";
+      "Coulomb's mu; with a Friction law other than `constant` the static "
+      "mu_s. 0: no friction.";
     entries.add("Friction law", friction_law)
       .one_of(choice_names(friction_law_kinds()))
       .help =
-      "How mu changes with the sliding speed v = |s| V from mu_s to mu_k: it "
-      "falls, or rises where mu_k is above mu_s. " +
+      "How mu changes with the sliding speed v = |s| V, from mu_s at rest to "
+      "mu_k: mu falls, or rises where mu_k is above mu_s. " +
       choice_help(friction_law_kinds());
     entries.add("Kinetic friction coefficient", kinetic_friction, "1")
       .at_least(0.)
       .help =
-      "mu_k of a law that falls, mu at high sliding speed. Polach: 0.4 mu_s, "
-      "dry. Above mu_s friction rises, as with a friction modifier.";
+      "mu_k, which mu approaches at high sliding speed, of a Friction law "
+      "other than `constant`. Polach: 0.4 mu_s, dry. Above mu_s friction "
+      "rises, as with a friction modifier.";
     entries.add("Friction decay speed", friction_decay_speed, "m/s")
       .at_least(0.)
-      .help = "v_c of a law that falls. Polach: 1/0.6 m/s, dry.";
+      .help = "v_c, the sliding speed over which mu changes, of a Friction "
+              "law other than `constant`. Polach: 1/0.6 m/s, dry.";
     entries.add("Friction memory length", friction_memory_length, "m")
       .at_least(0.)
       .help =
-      "Sliding distance of a point of the material over which mu comes to "
-      "that of a law that falls, micrometres; 0: at once.";
+      "Distance that a point of the material slides until its mu has followed "
+      "the Friction law; some micrometres. 0: mu follows at once.";
     entries.add("Friction response", friction_response)
       .one_of("automatic|patch mean|node|constant")
       .help =
-      "How mu of a law that falls follows a state that changes in time or is "
-      "disturbed. `patch mean`: mu of all nodes, by the mean speed of the "
-      "patch with a delay; `node`: mu of each node, by its own speed at once, "
-      "which is ill-posed where friction falls; `constant`: not at all; "
-      "`automatic`: patch mean in Analysis = stability and with Time/Bodies = "
-      "reduced, else node.";
+      "How mu follows the sliding speed when the state changes in time or is "
+      "disturbed, with a Friction law other than `constant`. `patch mean`: mu "
+      "of all nodes follows the mean speed of the patch with a delay; `node`: "
+      "mu of each node follows its own speed at once, which is ill-posed "
+      "where friction falls; `constant`: mu does not follow; `automatic`: "
+      "patch mean where vibrations are analysed (Analysis = stability and "
+      "others) and with Time/Bodies = reduced, else node.";
     entries.add("Friction memory", friction_memory, "s").at_least(0.).help =
-      "Delay of `patch mean`; a tenth of it is the longest time step.";
+      "Delay of Friction response = patch mean. A time step may be at most a "
+      "tenth of it.";
     entries.add("Friction over temperature", friction_over_temperature).help =
-      "How mu follows the temperature of the surfaces in a steady state: "
-      "temperatures in K with the share of mu there, linear in between, as "
-      "293: 1, 573: 1, 1073: 0.5; empty for none. `Temperature` of `Wheel` and "
-      "`Rail` and the flash temperature at `Speed` are that of the surfaces.";
+      "How mu depends on the temperature of the surfaces in a steady state: "
+      "temperatures in K, each with the share of mu there, such as 293: 1, "
+      "573: 1, 1073: 0.5; linear in between. Empty: mu does not depend on it. "
+      "The temperature follows from `Temperature` of `Wheel` and `Rail` and "
+      "the flash temperature at `Speed`.";
   }
 
   void ContactParameters::declare_rolling(Entries &entries)
@@ -131,8 +142,8 @@ namespace RollingContact
       .or_empty()
       .read_by(read_creepages)
       .help =
-      "Longitudinal creepage, sliding speed of the wheel over the rail in x "
-      "over the magnitude of the rolling speed.";
+      "Longitudinal creepage: sliding speed of the wheel over the rail along "
+      "x, divided by the magnitude of the rolling speed.";
     entries.add("Creepage y", creepages.y, "1")
       .or_empty()
       .read_by(read_creepages)
@@ -141,27 +152,29 @@ namespace RollingContact
       .or_empty()
       .read_by(read_creepages)
       .help =
-      "Spin creepage, angular velocity about z of the wheel over the rail "
-      "over the magnitude of the rolling speed, 3D only.";
+      "Spin creepage: angular velocity of the wheel over the rail about z, "
+      "divided by the magnitude of the rolling speed. 3D only.";
     entries.add("Creepage size", creepage_size, "1").help =
-      "In place of `Creepage x` and `Creepage y`, 3D only: the length of both "
-      "together, in the `Creepage direction`.";
+      "Length of the vector of longitudinal and lateral creepage, given with "
+      "`Creepage direction` in place of `Creepage x` and `Creepage y`. 3D "
+      "only.";
     entries.add("Creepage direction", creepage_direction, "rad").help =
-      "Of `Creepage size`: the angle from x towards y.";
+      "Direction of `Creepage size`: the angle from x towards y.";
     entries.add("Speed", speed, "m/s").help =
-      "Rolling speed V: material flows through the contact in the direction "
-      "of its sign along x; empty for 1. With a constant friction coefficient "
-      "a steady state depends on the sign only, with one that falls it must "
-      "be given.";
+      "Rolling speed V: material flows through the contact along x in the "
+      "direction of its sign. Empty for 1. With a constant friction "
+      "coefficient a steady state depends on the sign only; with another "
+      "Friction law the speed must be given.";
     entries.add("Longitudinal force", forces.x, "N").read_by(read_forces).help =
-      "Force of friction on the wheel along x in place of `Creepage x`, which "
-      "is found for it. Less than mu N.";
+      "Force of friction on the wheel along x, less than mu N. Give it in "
+      "place of `Creepage x`, which is found for it.";
     entries.add("Lateral force", forces.y, "N").read_by(read_forces).help =
-      "Force of friction on the wheel along y, 3D only, in place of `Creepage "
-      "y`, which is found for it.";
+      "Force of friction on the wheel along y, 3D only. Give it in place of "
+      "`Creepage y`, which is found for it.";
     entries.add("Spin moment", forces.moment, "N m").read_by(read_forces).help =
       "Moment of friction on the wheel about the normal through the origin of "
-      "the contact, 3D only, in place of `Spin`, which is found for it.";
+      "the contact, 3D only. Give it in place of `Spin`, which is found for "
+      "it.";
   }
 
   Creepages ContactParameters::asked_creepages() const
@@ -202,10 +215,10 @@ namespace RollingContact
       throw InputError(
         "Contact/Kinetic friction coefficient = " + text_of(kinetic_friction) +
         ": Contact/Friction law = " + friction_law +
-        " needs mu_k above 0; below mu_s, Contact/Friction coefficient = " +
+        " needs mu_k above 0. Friction falls with the speed if mu_k is below "
+        "mu_s, Contact/Friction coefficient = " +
         text_of(friction_coefficient) +
-        ", friction falls with the speed, above it rises, as by a friction "
-        "modifier.");
+        ", and rises if it is above, as with a friction modifier.");
     if (!(friction_decay_speed > 0.))
       throw InputError(
         "Contact/Friction decay speed = " + text_of(friction_decay_speed) +
@@ -298,8 +311,9 @@ namespace RollingContact
                          ": give the size with its direction or the "
                          "components.");
       if (contact.forces.x || contact.forces.y)
-        throw InputError(given + ": a creepage that is found for a force is "
-                                 "given by no size; leave one of them out.");
+        throw InputError(given + ": the creepages are found for a force, so "
+                                 "that their size cannot be given; leave one "
+                                 "of them out.");
     }
   } // namespace
 

@@ -9,10 +9,10 @@ namespace RollingContact
   void BodyParameters::declare_cover(Entries &entries)
   {
     entries.add("Cover thickness", cover_thickness, "m").at_least(0.).help =
-      "Thickness of a layer of another material that is bonded on the body and "
-      "touches the other one, such as rubber on a roller: a ring at the rim of "
-      "a disc, the top of a block. Radius, Hub radius and Block depth are "
-      "those with it. 0: none.";
+      "Thickness of a layer of another material that is bonded on the body "
+      "where it touches the other one, such as rubber on a roller: a ring at "
+      "the rim of a disc, or the top of a block. Radius, Hub radius and Block "
+      "depth include it. 0: none.";
     const Reader covered =
       reader([](const BodyParameters &body) { return body.has_cover(); },
              "Cover thickness = 0 is no cover");

@@ -74,23 +74,23 @@ namespace RollingContact
         },
         "a rail with Model = waveguide has waves in place of modes"))
       .help =
-      "Damping ratios that single modes have in addition to Modal damping, as "
-      "by a ring damper: `frequency : ratio, ...`; each is for the mode "
-      "nearest to that frequency and its pair.";
+      "Damping ratios of single modes in addition to Modal damping, such as "
+      "those by a ring damper: `frequency : ratio, ...`. Each holds for the "
+      "mode nearest to that frequency and for its pair.";
     if (section != "Wheel")
       return;
     const Reader hang_on_modes{
       [](const SceneParameters &scene) {
         return scene.analysis.has_dampers || scene.has_reduced_bodies();
       },
-      "dampers hang on modes as receptance, stability, stability map and "
-      "Time/Bodies = reduced have them"};
+      "dampers need modes: Analysis = receptance, stability or stability map, "
+      "or Time/Bodies = reduced"};
     entries.list("Dampers", dampers.number, "", "1")
       .read_by(hang_on_modes)
       .help =
-      "Number of tuned dampers (point masses on springs and dashpots) on "
-      "the wheel, equally spaced on a circle; of several circles a list. "
-      "They hang on modes: Analysis = stability, stability map, receptance, "
+      "Number of tuned dampers (point masses on springs and dashpots) on the "
+      "wheel, equally spaced on a circle. For several circles give a list. "
+      "Dampers need modes: Analysis = stability, stability map, receptance, "
       "and Time/Bodies = reduced.";
     const std::vector<Reader> there{
       hang_on_modes,
@@ -102,8 +102,8 @@ namespace RollingContact
       .read_by(there)
       .renewing(Renews::loads)
       .help =
-      "Of each damper; as all lists of dampers one value for each circle, "
-      "or one for all.";
+      "Mass of each damper. This and all other lists of dampers have one "
+      "value for each circle, or one for all circles.";
     entries.list("Damper frequency", dampers.frequency, "", "Hz")
       .read_by(there)
       .renewing(Renews::loads)
@@ -111,22 +111,22 @@ namespace RollingContact
     entries.list("Damper damping ratio", dampers.damping_ratio, "", "1")
       .read_by(there)
       .renewing(Renews::loads)
-      .help = "Of a damper on a wheel that does not move.";
+      .help = "Damping ratio of a damper on a wheel that does not move.";
     entries.list("Damper radius", dampers.radius, "", "m").read_by(there).help =
-      "Of the circle that the dampers are fixed on; the nearest circle of "
-      "nodes is taken.";
+      "Radius of the circle that the dampers are fixed on. The nearest circle "
+      "of nodes is taken.";
     entries.list("Damper position", dampers.position, "", "m")
       .read_by(there)
       .help =
-      "Of that circle along the axle: y of the wheel's section, of a disc "
-      "from its middle.";
+      "Position of the circle of dampers along the axle: y of the wheel's "
+      "section, or for a disc the distance from its middle.";
     entries.add("Damper direction", dampers.direction)
       .one_of(choice_names(named_directions))
       .several(0)
       .read_by(there)
-      .help = "In which springs and dashpots act, `axial`, `radial` or "
-              "`circumferential`; a mass is not felt in the others. Of several "
-              "circles a list, or one for all.";
+      .help = "Direction in which springs and dashpots act: `axial`, `radial` "
+              "or `circumferential`. In the other directions the dampers have "
+              "no effect. For several circles give a list, or one for all.";
   }
 
   std::vector<AbsorberRing> BodyParameters::absorbers() const
@@ -157,9 +157,9 @@ namespace RollingContact
                   dampers.number[k] == std::round(dampers.number[k]),
                 "Dampers",
                 dampers.number[k],
-                "a circle has a whole number of them, at least 3: to act on "
-                "modes with d nodal diameters at least 2 d + 1; leave it empty "
-                "for none.");
+                "give a whole number of at least 3 for each circle, and at "
+                "least 2 d + 1 to act on modes with d nodal diameters; leave "
+                "it empty for no dampers.");
         ring.number        = dampers.number[k];
         ring.mass          = value_of_ring(dampers.mass, k);
         ring.frequency     = value_of_ring(dampers.frequency, k);
@@ -208,6 +208,7 @@ namespace RollingContact
     if (body_shape && !body_shape->axle())
       throw InputError(why + "a wheel of Shape = " + shape +
                        " and Radius = " + text_of(radius) +
-                       " has no axle to be round; take disc or section.");
+                       " has no axle that dampers could be placed round; take "
+                       "disc or section.");
   }
 } // namespace RollingContact

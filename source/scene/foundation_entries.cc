@@ -41,36 +41,37 @@ namespace RollingContact
         .at_least(0.)
         .read_by(c == 1 ? std::vector{scenes_in_3d(), springs}
                         : std::vector{springs})
-        .help = "Of the layer or the pads of Hub = elastic along " +
+        .help = "Stiffness of the layer or the pads of Hub = elastic along " +
                 along_axes[c] + (c == 1 ? ", 3D only" : "") +
-                ": force per displacement of a metre of length along x, spread "
-                "evenly over the hub.";
+                ": force per displacement and per metre of length along x, "
+                "spread evenly over the hub.";
     entries.add("Foundation loss factor", foundation.loss_factor, "1")
       .at_least(0.)
       .read_by(springs)
       .read_by(readers_of_damping())
-      .help = "Of the layer or the pads of Hub = elastic; see Loss frequency.";
+      .help = "Loss factor of the layer or the pads of Hub = elastic; see "
+              "Loss frequency.";
     entries.add("Pad spacing", foundation.pad_spacing, "m")
       .at_least(0.)
       .read_by(springs)
       .help =
-      "Distance of pads, which then stand for the layer: one has Foundation "
-      "stiffness times this. 0 is a continuous layer.";
+      "Distance between pads, which replace the layer. The stiffness of one "
+      "pad is Foundation stiffness times this distance. 0: a continuous layer.";
     entries.add("Pad length", foundation.pad_length, "m")
       .at_least(0.)
       .read_by({springs, pads})
-      .help = "Of each pad along x.";
+      .help = "Length of each pad along x.";
     entries.add("Pad offset", foundation.pad_offset, "m")
       .read_by({springs, pads})
       .help =
-      "x of the middle of a pad: 0 has one under the contact, half of Pad "
-      "spacing none.";
+      "x of the middle of a pad. 0: a pad lies under the contact; half of Pad "
+      "spacing: the contact is midway between two pads.";
     entries.add("Sleeper mass", foundation.sleeper_mass, "kg")
       .at_least(0.)
       .read_by({springs, pads})
       .help =
-      "Mass of a sleeper below each pad, which moves without turning; 0 for "
-      "pads on the ground.";
+      "Mass of the sleeper below each pad, which moves without turning. 0: "
+      "the pads lie on the ground.";
     for (unsigned int c = 0; c < 3; ++c)
       entries
         .add("Ballast stiffness " + along_axes[c],
@@ -79,13 +80,13 @@ namespace RollingContact
         .at_least(0.)
         .read_by(c == 1 ? std::vector{scenes_in_3d(), springs, sleepers}
                         : std::vector{springs, sleepers})
-        .help = "Between sleepers and ground along " + along_axes[c] +
+        .help = "Stiffness between sleepers and ground along " + along_axes[c] +
                 (c == 1 ? ", 3D only" : "") +
-                ", of a metre of length as Foundation stiffness.";
+                ", per metre of length as Foundation stiffness.";
     entries.add("Ballast loss factor", foundation.ballast_loss_factor, "1")
       .at_least(0.)
       .read_by({springs, sleepers})
       .read_by(readers_of_damping())
-      .help = "Of the ballast under sleepers; see Loss frequency.";
+      .help = "Loss factor of the ballast under sleepers; see Loss frequency.";
   }
 } // namespace RollingContact

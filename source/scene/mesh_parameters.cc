@@ -58,39 +58,40 @@ namespace RollingContact
                 "patch"})
       .help =
       "Largest bound of the error of the force, over mu N, for quasi-static, "
-      "creep curve (its worst point) and load curve: elements and growth that "
-      "keep it at the least cost are chosen, fewer elements or more than "
-      "`Elements across patch` and another growth than `Growth`, which have no "
-      "effect then. Errors are mostly below half of the bound. Empty: the "
+      "creep curve (its worst point) and load curve. The program chooses the "
+      "cheapest mesh that keeps it; `Elements across patch` and `Growth` have "
+      "no effect then. Errors are mostly below half of the bound. Empty: the "
       "elements and the growth given.";
     entries.add("Elements across patch", elements_across_patch, "1")
       .between(1, 100000)
-      .help = "Elements across the patch of the Hertz estimate, in the rolling "
-              "direction. 48 is for 2D; in 3D 12 to 24 are usual.";
+      .help = "Number of elements across the patch of the Hertz estimate, in "
+              "the rolling direction. 48 is for 2D; in 3D 12 to 24 are usual.";
     entries.add("Elements across patch y", elements_across_patch_y, "1")
       .between(0, 100000)
       .read_by(scenes_in_3d())
       .help =
-      "The same across the rolling direction, 3D only; 0: as many as in it, "
-      "but 6 or more and elements at most 1.9 times as long as wide on "
-      "patches that are slender along it, and as long as wide on those of "
-      "profiles that are wider. 0.8 times as many serve the forces as well, "
-      "the spin moment less.";
+      "Number of elements across the patch at right angles to the rolling "
+      "direction, 3D only. 0: as many as in the rolling direction; on slender "
+      "patches fewer, but at least 6, with elements at most 1.9 times as long "
+      "as wide; on wide patches of profiles more, with elements as long as "
+      "wide. With 0.8 times as many, forces are as good and the spin moment "
+      "is worse.";
     entries.add("Least elements y", least_elements_y, "1")
       .between(0, 1000)
       .read_by(scenes_in_3d())
       .help =
-      "Least number of elements across a patch that is slender along the "
-      "rolling direction, as those of flanges are, and across each of several "
-      "patches, where Elements across patch y is 0. 0: 6, and 10 where wear "
-      "is told, whose depths are those of lines of nodes.";
+      "Least number of elements across the rolling direction, where Elements "
+      "across patch y is 0: on a patch that is slender along the rolling "
+      "direction, as on a flange, and on each of several patches. 0: 6, or 10 "
+      "where wear is reported, because depths of wear are those of lines of "
+      "nodes.";
     const auto read_offset = [this](const std::string &text) {
       patch_offset = offset_of(text);
     };
     entries.parsed("Patch offset", Entry::Kind::numbers, "0", "1", read_offset)
-      .help = "Shift of the mesh under the patch, in elements; `aligned` puts "
-              "the leading edge where upwind 2 is most accurate, 0.38 elements "
-              "upstream of a node.";
+      .help = "Shift of the mesh under the patch, in elements. `aligned`: the "
+              "leading edge lies 0.38 elements upstream of a node, where "
+              "upwind 2 is most accurate.";
   }
 
   void MeshParameters::check() const
@@ -106,14 +107,15 @@ namespace RollingContact
   {
     entries.add("Candidate zone", candidate_zone, "1").between(0., 20.).help =
       "Half-length of the zone of contact nodes, over the half-width of the "
-      "Hertz estimate; 0 takes 1.15, and 1.5 in time. A load curve takes 5 % "
-      "more, for the loads above the largest.";
+      "Hertz estimate. 0: 1.15, or 1.5 in time. A load curve adds 5 %, "
+      "because its stiffness needs loads above the largest.";
     entries.add("Zone depth", zone_depth, "1").between(0., 20.).help =
       "Depth of the zone of smallest elements, over the half-width of the "
       "Hertz estimate.";
     entries.add_automatic("Growth", growth, "1").between(0.01, 10.).help =
-      "Growth of the element size with the distance from that zone; "
-      "`automatic`: 0.1 in 2D, 0.4 in 3D, where 0.4 to 0.8 are usual.";
+      "Growth of the element size with the distance from the zone of the "
+      "smallest elements. `automatic`: 0.1 in 2D and 0.4 in 3D, where 0.4 to "
+      "0.8 are usual.";
     entries.choice("Compliance", compliance, named_compliances)
       .read_by(scenes_in_3d())
       .read_by({asks<AnalysisTraits>([](const auto &analysis) {
@@ -121,30 +123,32 @@ namespace RollingContact
                 }),
                 "studies of meshes take finite elements"})
       .help =
-      "What the compliance of the contact nodes is made of: `finite elements` "
-      "refined to the patch, or `split` into that of a half-space in closed "
-      "form and what the body adds, from a mesh that does not know the patch: "
-      "for discs, blocks and sections from files whose edges are far from the "
-      "patch, steady without Output/Body fields or vibrating by their modes, in "
-      "a third of the time. `automatic`: split where its error is below that of "
-      "the elements across the patch.";
+      "How the compliance of the contact nodes is computed. `finite "
+      "elements`: by a mesh refined to the patch. `split`: a half-space in "
+      "closed form, plus what the body adds by a mesh that is not refined to "
+      "the patch, in a third of the time. Split is for discs, blocks and "
+      "sections from files whose edges are far from the patch, in steady "
+      "states without Output/Body fields and in vibrations by modes. "
+      "`automatic`: split where its error is below that of the elements "
+      "across the patch.";
     entries.add("Rim levels", rim_levels, "1").between(0, 10).help =
-      "Further halvings of the element size at the rim of the patch; of a line "
-      "contact at its ends alone.";
+      "Further halvings of the element size at the rim of the patch. A line "
+      "contact is refined at its ends only.";
     entries.choice("Rim edges", rim_edges, named_rim_edges).help =
-      "Which part of the rim: `leading` or `both`.";
+      "Part of the patch's rim that is refined: `leading` or `both`.";
     entries.add("Adaptive levels", adaptive_levels, "1").between(0, 20).help =
-      "Solve again on at most so many refined meshes.";
+      "Largest number of refined meshes on which the state is solved again.";
     entries.choice("Level marking", level_marking, named_markings).help =
-      "What a level refines: `adaptive` halves the elements at the leading "
-      "edge, between stick and slip, at the rest of the rim and, in the bulk, "
-      "where the strain jumps most; `uniform` halves all.";
+      "Elements that a level refines. `adaptive` halves those at the leading "
+      "edge, between stick and slip, at the rest of the rim and, inside the "
+      "bodies, where the strain jumps most; `uniform` halves all.";
     entries.add("Contact node budget", contact_node_budget, "1")
       .between(3, 100000)
-      .help = "Levels end before the mesh has more contact nodes than this.";
+      .help = "Adaptive levels end before the mesh has more contact nodes "
+              "than this.";
     entries.add("Target change", target_change, "1").between(0., 1.).help =
-      "Levels end when forces change less than this from one to the next, "
-      "relative to N and to mu N; 0: never.";
+      "Adaptive levels end when forces change by less than this from one "
+      "level to the next, relative to N and to mu N; 0: never.";
   }
 
 } // namespace RollingContact

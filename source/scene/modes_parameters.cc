@@ -14,24 +14,25 @@ namespace RollingContact
       .at_least(0.)
       .help = "All modes up to this frequency are found.";
     entries.add("Cut-off ratio", cut_off_ratio, "1").at_least(0.).help =
-      "Receptances take all modes up to so many times the highest frequency "
-      "that is asked for.";
+      "Receptances take all modes up to this ratio times the highest "
+      "frequency that is asked for.";
     entries.add("Tolerance", tolerance, "1").at_least(0.).help =
-      "Of |K phi - lambda M phi| over lambda |M phi|, as far as rounding "
-      "allows.";
+      "Largest residual of a mode, |K phi - lambda M phi| over lambda |M "
+      "phi|, as far as rounding allows.";
     entries.add("Count check", count).help =
-      "Count the modes below the cut-off by the inertia of K - omega^2 M "
-      "(Sylvester), so that none can be missed; takes about a fifth of the "
-      "time.";
+      "Whether the modes below the cut-off are counted by the inertia of K - "
+      "omega^2 M (Sylvester), so that none is missed. It takes about a fifth "
+      "of the time.";
     entries.add("Element size", element_size, "m").help =
-      "Longest edge of the cells where the program meshes a body and no "
-      "contact is computed: equal cells, with equal angles round an axle. "
-      "Left empty: as few as resolve the shape. Sections and meshes from "
-      "files are taken as they are.";
+      "Longest edge of the cells in bodies that the program meshes without a "
+      "contact. The cells are equal, with equal angles round an axle. Empty: "
+      "as few cells as resolve the shape. Sections and meshes from files are "
+      "taken as they are.";
     entries.add("Animated modes", animated, "1").at_least(0).help =
-      "For so many modes of each body, the first ones, the moving surface is "
-      "written for ParaView, 24 phases of a period each; of Analysis = "
-      "stability those of both bodies in the vibrations that grow fastest.";
+      "Number of modes of each body, from the first, whose moving surface is "
+      "written for ParaView, in 24 phases of a period. For Analysis = "
+      "stability: number of vibrations, those that grow fastest, with both "
+      "bodies.";
   }
 
   void ModesParameters::check() const

@@ -25,7 +25,7 @@ namespace RollingContact
     entries.add("Contact problem", contact_problem)
       .read_by({asks<AnalysisTraits>(
                   [](const auto &analysis) { return analysis.has_one_state; }),
-                "there is not one steady state"})
+                "this analysis has no single steady state"})
       .read_by({asks<ContactParameters>([](const auto &contact) {
                   return !contact.falling_friction();
                 }),
@@ -33,12 +33,12 @@ namespace RollingContact
       .help = "Write contact_problem.h5: compliance, contact matrix, slip "
               "operator, loads and solution of the discrete contact.";
     entries.add("Interface fields", interface_fields).help =
-      "Write interface.pvd: pressure, traction, slip, gap, state; of profiles "
-      "that wear profiles.pvd.";
+      "Write interface.pvd: pressure, traction, slip, gap and state; for "
+      "profiles that wear, profiles.pvd.";
     entries.add("Plot", plot).help =
       "Write plots as SVG, each with its data and gnuplot script: tractions "
       "in 2D, profiles, curves, histories, maps, modes.";
     entries.choice("Verbosity", verbosity, named_verbosities).help =
-      "What is said on the screen: `quiet`, `normal` or `verbose`.";
+      "How much is printed on the screen: `quiet`, `normal` or `verbose`.";
   }
 } // namespace RollingContact

@@ -86,21 +86,23 @@ namespace RollingContact
       .read_by({[by_file](const auto &scene) { return !by_file(scene); },
                 "the shifts are those of Contact table/Rolling radius "
                 "difference"})
-      .help =
-      "Of the wheelset to the right: " + std::string(number_list_form) + ".";
+      .help = "Lateral shift of the wheelset to the right: " +
+              std::string(number_list_form) + ".";
     entries.add("Conicity amplitude", conicity_amplitude, "m")
       .at_least(0.)
       .help =
-      "Amplitude of the wheelset's lateral motion of the conicity in the "
-      "summary.";
+      "Amplitude of the wheelset's lateral motion for which the summary gives "
+      "the conicity.";
     entries.add("Rolling radius difference", difference_file).help =
-      "In place of profiles: the name of a file beside the .prm file with two "
-      "columns, the shift of the wheelset to the right, ascending, and the "
-      "right rolling radius less the left one. Empty: that of the profiles.";
+      "Name of a file beside the .prm file that takes the place of profiles. "
+      "It has two columns: the shift of the wheelset to the right, ascending, "
+      "and the right rolling radius less the left one. Empty: the difference "
+      "is that of the profiles.";
     entries.add("File unit", difference_unit, "m")
       .at_least(0.)
       .read_by({by_file, "Contact table/Rolling radius difference is empty"})
-      .help = "One unit of both columns of that file.";
+      .help = "Length of one unit of both columns of the file of Rolling "
+              "radius difference.";
   }
 
   void ProfileParameters::declare_sections(Entries &entries)
@@ -110,10 +112,9 @@ namespace RollingContact
       "SIMPACK .prr or .prw, MiniProf .ban or .whl.";
     entries.add("Wheel profile", wheel_profile).help =
       "`S1002` (EN 13715)" + file +
-      " Its radius at the tape circle, y = 0, is "
-      "Wheel/Radius. Both profiles empty: the surfaces are "
-      "those of Wheel and Rail, in a contact table S1002 on "
-      "60E1.";
+      " Its radius at the tape circle, y = 0, is Wheel/Radius. If both "
+      "profiles are empty, the surfaces are those of Wheel and Rail; a "
+      "contact table takes S1002 on 60E1.";
     entries.add("Rail profile", rail_profile).help =
       "`60E1`, `60E2`, `54E1`, `54E3`, `49E1` (EN 13674-1), `60E1 Manchester` "
       "(the variant of the Manchester benchmarks)" +
@@ -127,35 +128,36 @@ namespace RollingContact
                 {"curved", Profiles::SurfaceKind::curved}})
       .read_by(wheelsets_in_a_place)
       .help =
-      "`plane`: pressure acts along the normal of the first contact; "
-      "`loaded plane`: along the mean normal of the patch under load, by "
-      "half-spaces; `curved`: along a normal of each node, between those of "
-      "rail and wheel, on the length of the rail's section, so that conformal contacts, tread and flange at "
-      "once, and bodies that move across under a lateral force have an "
-      "answer.";
+      "The normals that pressure acts along. `plane`: that of the first "
+      "contact; `loaded plane`: the mean normal of the patch under load, by "
+      "half-spaces; `curved`: a normal of each node, between those of rail "
+      "and wheel, over the length of the rail's section. Take `curved` for "
+      "conformal contacts, for tread and flange at once, and for bodies that "
+      "move across under a lateral force.";
     entries.add("Smoothing length", smoothing_length, "m")
       .at_least(0.)
       .read_by(profile_files)
       .help =
-      "Waves of this length in the points of a file are halved by a smoothing "
-      "spline; 0: none.";
+      "Wavelength that a smoothing spline halves in the points of a file; 0: "
+      "no smoothing.";
     entries.add("File unit", file_unit, "m")
       .at_least(0.)
       .read_by(profile_files)
-      .help = "One unit of a file of two columns or of MiniProf.";
+      .help = "Length of one unit of a file of two columns or of MiniProf.";
     for (const auto &[body, mirror] :
          {std::pair<std::string, Mirror *>("Wheel", &wheel_mirror),
           std::pair<std::string, Mirror *>("Rail", &rail_mirror)})
       entries.choice(body + " mirror", *mirror, named_mirrors)
         .read_by(profile_files)
         .help =
-        "Coordinates of the file to turn round, so that y is towards the field "
-        "side of the right-hand side and z down.";
+        "Coordinates of the file whose sign changes, so that y points to the "
+        "field side of the right-hand side and z down.";
     entries.add("Wheel profile shift", wheel_profile_shift, "m")
       .read_by(wheel_files)
       .help =
-      "Added to y of a wheel's file once it is mirrored, so that its tape "
-      "circle is at y = 0. A rail needs none: it is placed by its gauge face.";
+      "Length added to y of a wheel's file after mirroring, so that its tape "
+      "circle is at y = 0. A rail needs none, because its gauge face is its "
+      "place.";
   }
 
   void ProfileParameters::declare_track(Entries &entries)
@@ -163,30 +165,31 @@ namespace RollingContact
     Entry &slope = entries.add("Rail inclination", inclination, "1");
     slope.kind   = Entry::Kind::numbers;
     slope.help =
-      "Towards the middle of the track, as 1/40, 1/20, or 0 for a file that "
-      "is inclined already.";
+      "Inclination of the rails towards the middle of the track, as 1/40 or "
+      "1/20; 0 for a file that is inclined already.";
     entries.add("Gauge", gauge, "m").at_least(0.).help =
-      "Distance of the gauge faces.";
+      "Distance between the gauge faces.";
     entries.add("Gauge height", gauge_height, "m").at_least(0.).help =
       "Depth of the gauge faces below the top of the rails.";
     entries.add("Flange back distance", flange_back_distance, "m")
       .at_least(0.)
       .help =
-      "Distance of the backs of the flanges; the tape circles are 0.07 m from "
-      "them.";
+      "Distance between the backs of the flanges. The tape circles are 0.07 m "
+      "outside of them.";
     entries.add("Yaw", yaw, "rad")
       .renewing(Renews::place)
       .read_by(places_that_are_given)
       .help =
-      "Turn of the wheelset about the vertical, right-handed about z down.";
+      "Yaw of the wheelset: its turn about the vertical, right-handed about "
+      "z, which points down.";
     entries
       .choice("Body sections",
               true_sections,
               std::vector<NamedValue<bool>>{{"plain", false}, {"true", true}})
       .read_by(wheelsets_in_a_place)
       .help =
-      "What is under the profiles of elastic bodies: `plain`, the disc and "
-      "the block of sections Wheel and Rail; `true`, a wheel with flange, "
+      "Bodies under the profiles, if they are elastic. `plain`: the disc and "
+      "the block of sections Wheel and Rail. `true`: a wheel with flange, "
       "rim, web and hub, held at its bore (Wheel/Hub radius), and a rail with "
       "head, web and foot of a 60E1, Rail/Block length long, held at its sole.";
     entries.add("Web bow", web_bow, "m")
@@ -198,8 +201,8 @@ namespace RollingContact
                 "Profiles/Body sections = true reads it, for an elastic "
                 "wheel"})
       .help =
-      "By how much the middle of a true wheel's web is bowed towards the "
-      "field side.";
+      "Distance by which the middle of the web is bowed towards the field "
+      "side, for a wheel of Body sections = true.";
   }
 
   void ProfileParameters::declare_wheelset(Entries &entries)
@@ -210,21 +213,20 @@ namespace RollingContact
               std::vector<NamedValue<bool>>{{"right", false}, {"left", true}})
       .read_by(wheelsets_in_a_place)
       .read_by(places_that_are_given)
-      .help = "Which wheel of the wheelset the bodies are.";
+      .help = "Side of the wheelset whose wheel and rail are computed.";
     entries.add("Lateral shift", shift, "m")
       .read_by(wheelsets_in_a_place)
       .read_by(places_that_are_given)
       .renewing(Renews::place)
       .help =
-      "Of the wheelset to the right, but in a contact table, which has its "
+      "Lateral shift of the wheelset to the right. A contact table has its "
       "own.";
     entries.add_automatic("Roll", roll, "rad")
       .read_by(wheelsets_in_a_place)
       .read_by(places_that_are_given)
       .renewing(Renews::place)
-      .help =
-      "Turn of the wheelset about the direction of travel, right-handed; "
-      "`automatic`: both wheels touch.";
+      .help = "Roll of the wheelset: its turn about the direction of travel, "
+              "right-handed. `automatic`: both wheels touch.";
     entries
       .choice("Creepages",
               creepage_source,
@@ -234,10 +236,10 @@ namespace RollingContact
       .read_by(wheelsets_in_a_place)
       .read_by(places_that_are_given)
       .help =
-      "`given`: those of section Contact, or of an analysis with its own; "
-      "`from kinematics`: what a wheelset in this place that moves along the "
-      "track with Contact/Speed has at the first contact, and the rolling "
-      "radius that changes over the patch as the profile does.";
+      "`given`: the creepages of section Contact, or of an analysis that has "
+      "its own. `from kinematics`: those at the first contact of a wheelset "
+      "in this place that moves along the track with Contact/Speed. They "
+      "change over the patch as the rolling radius of the profile does.";
     entries.add_automatic("Pitch rate", pitch_rate, "rad/s")
       .renewing(Renews::loads)
       .read_by(wheelsets_in_a_place)
@@ -248,8 +250,9 @@ namespace RollingContact
                   }),
                 "Profiles/Creepages = from kinematics reads it"})
       .help =
-      "Angular velocity of the axle for creepages from kinematics, negative "
-      "when it rolls forwards; `automatic`: no longitudinal creepage.";
+      "Angular velocity of the axle, for creepages from kinematics; negative "
+      "when the wheelset rolls forwards. `automatic`: such that there is no "
+      "longitudinal creepage.";
     const Reader motion{asks<AnalysisTraits, ProfileParameters>(
                           [](const auto &analysis, const auto &profiles) {
                             return analysis.has_bodies &&
@@ -260,13 +263,13 @@ namespace RollingContact
       .renewing(Renews::loads)
       .read_by(places_that_are_given)
       .read_by(motion)
-      .help = "Of the track's middle, positive where the curve is to the "
-              "right; empty: straight track.";
+      .help = "Curve radius of the track's middle, positive where the curve "
+              "is to the right; empty: straight track.";
     entries.add("Lateral velocity", lateral_velocity, "m/s")
       .renewing(Renews::loads)
       .read_by(places_that_are_given)
       .read_by(motion)
-      .help = "Of the wheelset, to the right over the track.";
+      .help = "Velocity of the wheelset over the track, to the right.";
   }
 
   double ProfileParameters::slope_of_inclination() const

@@ -23,9 +23,9 @@ namespace RollingContact
                          " would move the axle, which moves by the forces on "
                          "it; leave it empty, or take Hub = clamped.");
       if (scene.analysis.records_run && scene.sound.estimate)
-        throw InputError(why + "Sound/Estimate = true knows how a wheel "
-                               "radiates whose hub is held; set it to false, "
-                               "or take Hub = clamped.");
+        throw InputError(why + "Sound/Estimate = true holds for a wheel whose "
+                               "hub is held; set it to false, or take Hub = "
+                               "clamped.");
     }
   } // namespace
 
@@ -34,9 +34,9 @@ namespace RollingContact
     if (!marches())
       return;
     if (time.hold_approach && !contact.normal_load)
-      throw InputError("Time/Hold approach = true: it holds the approach that "
-                       "a load gives; give Contact/Normal load, or set it to "
-                       "false.");
+      throw InputError("Time/Hold approach = true: it keeps the approach that "
+                       "a load gives at the start; give Contact/Normal load, "
+                       "or set it to false.");
     if (time.hold_approach && (time.initial_state != InitialState::steady ||
                                !time.normal_load.empty()))
       throw InputError("Time/Hold approach = true: the approach is that of the "

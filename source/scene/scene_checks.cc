@@ -98,15 +98,16 @@ namespace RollingContact
     if (across && profiles.in_use() &&
         profiles.surface_kind == Profiles::SurfaceKind::curved)
       throw InputError("Profiles/Contact surface = curved and a Lateral force "
-                       "or Spin moment: pressure has a part in them there, and "
-                       "friction alone cannot be asked for. Give Longitudinal "
-                       "force only, creepages, or Contact surface = plane.");
+                       "or Spin moment: pressure contributes to both there, "
+                       "so that the part of friction cannot be given. Give "
+                       "Longitudinal force only, creepages, or Contact "
+                       "surface = plane.");
     if (mesh.adaptive_levels > 0)
       throw InputError(
         asked +
         " and Mesh/Adaptive levels = " + std::to_string(mesh.adaptive_levels) +
-        ": levels are judged by how the forces change, and these are given. "
-        "Set the levels to 0, or give creepages.");
+        ": levels end when the forces no longer change, and here the forces "
+        "are given. Set the levels to 0, or give creepages.");
   }
 
   void SceneParameters::check_target_error() const

@@ -20,7 +20,8 @@ namespace RollingContact
   {
     Entries entries;
     entries.add("Dimension", dimension, "1").between(2, 3).help =
-      "2 (x, z: rolling direction and normal, plane strain) or 3.";
+      "2: plane strain in x (rolling direction) and z (normal); 3: three "
+      "dimensions.";
     entries
       .parsed("Analysis",
               Entry::Kind::text,
@@ -35,19 +36,19 @@ namespace RollingContact
       .resumed_if(
         [](const SceneParameters &scene) { return scene.analysis.records_run; })
       .help =
-      "How the displacements of a body are found. `direct`: one factorisation, "
-      "on one rank or, under mpirun -n 2, wheel and rail on a rank each. "
-      "`distributed`: spread over all ranks of mpirun, multigrid-preconditioned "
-      "conjugate gradients. `automatic`: direct on one rank if the factors are "
-      "predicted to fit into 70 % of the free memory, else distributed. An "
-      "accuracy study and bodies with a Poisson ratio above 0.49 are always "
-      "direct.";
+      "How the displacements of a body are computed. `direct`: one "
+      "factorisation, on one rank, or with mpirun -n 2 on a rank each for "
+      "wheel and rail. `distributed`: conjugate gradients with a multigrid "
+      "preconditioner on all ranks of mpirun. `automatic`: direct on one rank "
+      "if the factors are predicted to fit into 70 % of the free memory, else "
+      "distributed. Accuracy studies and bodies with a Poisson ratio above "
+      "0.49 are always direct.";
     entries.add("Body threads", body_threads, "1")
       .between(1, 2)
       .resumed_if(in_all_scenes)
       .help =
-      "2: wheel and rail at the same time; 1: one after the other, with "
-      "the same numbers.";
+      "2: wheel and rail are computed at the same time; 1: one after the "
+      "other. Both give the same numbers.";
     wheel.declare(entries);
     rail.declare(entries);
     contact.declare(entries);

@@ -37,27 +37,27 @@ namespace RollingContact
     entries.add("Density of air", air_density, "kg/m^3")
       .at_least(0.)
       .read_by(tells)
-      .help = "Density of the air around.";
+      .help = "Density of the surrounding air.";
     entries.add("Speed of sound", speed_of_sound, "m/s")
       .at_least(0.)
       .read_by(tells)
-      .help = "Speed of sound in the air around.";
+      .help = "Speed of sound in the surrounding air.";
     entries.add("Distance", distance, "m").at_least(0.).read_by(tells).help =
-      "Distance from the contact at which the sound pressure is told, over "
-      "ground that reflects all sound and alike in all directions.";
+      "Distance from the contact at which the sound pressure is given. The "
+      "ground reflects all sound, and the sound is the same in all directions.";
     entries.add("Skipped time", skipped_time, "s")
       .at_least(0.)
       .read_by(of_a_run)
       .read_by(estimates)
       .help =
-      "Beginning of the run that the sound leaves out: what is left of the "
-      "start.";
+      "Time at the beginning of the run that the sound leaves out, so that "
+      "the start has faded.";
     entries.add("WAV file", wav_file)
       .read_by(of_a_run)
       .read_by(estimates)
       .help =
-      "Whether the sound pressure at that distance is written to be listened "
-      "to, in pressure.wav: 24 bit, one channel.";
+      "Whether the sound pressure at `Distance` is written as a file to "
+      "listen to, pressure.wav: 24 bit, one channel.";
     entries.add("Sampling rate", sampling_rate, "Hz")
       .between(1000, 384000)
       .read_by(of_a_run)
@@ -69,10 +69,10 @@ namespace RollingContact
       .read_by(estimates)
       .read_by(writes)
       .help =
-      "Sound pressure that the largest number of the WAV file stands for. "
-      "Give it to compare files of several runs. Left empty: the next of 1, "
-      "2, 5, 10, ... above the highest pressure. The summary, results.csv and "
-      "a comment within the file say what it is.";
+      "Sound pressure of the largest number in the WAV file. Give it to "
+      "compare files of several runs. Empty: the next of 1, 2, 5, 10, ... "
+      "above the highest pressure. The summary, results.csv and a comment in "
+      "the file state it.";
   }
 
   namespace

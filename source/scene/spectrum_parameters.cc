@@ -38,51 +38,50 @@ namespace RollingContact
       in_all_scenes;
     entries.choice("Write", write, named_ways).help =
       "Whether a transient run ends with spectra, third octaves and lines of "
-      "its forces and velocities: `automatic`, when a surface moves (section "
+      "its forces and velocities. `automatic`: when a surface moves (section "
       "Surfaces), a vibration is excited (Time/Excite mode) or points are "
-      "named (Velocity points of Wheel and Rail), `always` or `never`.";
+      "named (Velocity points of Wheel and Rail); `always`; `never`.";
     entries.add("Skipped time", skipped_time, "s")
       .at_least(0.)
       .read_by(runs_with_spectra)
       .help =
-      "Beginning of the run that spectra leave out: what is left of the start.";
+      "Time at the beginning of the run that spectra leave out, so that the "
+      "start has faded.";
     entries.add("Segment length", segment_length, "s")
       .at_least(0.)
       .read_by(runs_with_spectra)
       .help =
-      "Length of the segments, which overlap by half, that a spectrum is the "
-      "mean of; 0 takes a quarter of what there is.";
+      "Length of the segments, which overlap by half. A spectrum is the mean "
+      "over them. 0: a quarter of the run without Skipped time.";
     entries.add("Highest frequency", highest_frequency, "Hz")
       .read_by(runs_with_spectra)
       .at_least(0.)
-      .help =
-      "Up to which lines are looked for and spectrograms reach; 0 takes "
-      "Modes/Maximum frequency for bodies by their modes, and all there is "
-      "for full ones.";
+      .help = "Highest frequency of lines and spectrograms. 0: Modes/Maximum "
+              "frequency for bodies by their modes, no limit for full ones.";
     entries.add("Line prominence", line_prominence, "dB")
       .read_by(runs_with_spectra)
       .at_least(0.)
-      .help =
-      "What a peak of a spectrum rises at least, above the deeper ground "
-      "between it and higher ones, to be a line of lines.csv.";
+      .help = "Least prominence of a line in lines.csv: how far a peak of the "
+              "spectrum rises above the ground between it and higher peaks.";
     entries.add("Spectrogram", spectrogram).read_by(runs_with_spectra).help =
-      "Whether the spectrum over time of one signal is written and drawn, "
+      "Whether the spectrum of one signal over time is written and drawn, as "
       "spectrogram.csv and spectrogram.svg.";
     entries.add("Spectrogram signal", spectrogram_signal)
       .read_by(runs_with_spectra)
       .read_by(spectrograms)
       .help =
-      "A column of history.csv with a force, a velocity or the height of the "
-      "surfaces, such as velocity_y_m/s; empty takes the velocity of the "
-      "contact across, in 2D along.";
+      "Column of history.csv that the spectrogram shows: a force, a velocity "
+      "or the height of the surfaces, such as velocity_y_m/s. Empty: the "
+      "velocity of the contact across, in 2D along.";
     entries.add("Spectrogram window", spectrogram_window, "s")
       .read_by(runs_with_spectra)
       .read_by(spectrograms)
       .at_least(0.)
       .help =
-      "Length of the windows, which overlap by three quarters, that a column "
-      "of the spectrogram is of; its lines are as far apart as the inverse of "
-      "it. 0 takes 0.01 s, or a quarter of what there is if that is less.";
+      "Length of the windows of the spectrogram, which overlap by three "
+      "quarters; each gives one column. The distance of its lines in "
+      "frequency is the inverse. 0: 0.01 s, or a quarter of the run without "
+      "Skipped time if that is less.";
   }
 
   std::size_t SpectrumParameters::skipped_rows(const double time_step) const

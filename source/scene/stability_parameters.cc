@@ -29,8 +29,8 @@ namespace RollingContact
                 }),
                 "Analysis = stability or stability map reads it"})
       .help =
-      "Wheel of a wheelset in balance, see section Wheelset, whose place, "
-      "motion and load are found first; `none`: they are those of sections "
+      "Wheel of a wheelset in balance, see section Wheelset: its place, "
+      "motion and load are found first. `none`: they are given in sections "
       "Profiles and Contact.";
     const Reader of_growth = {asks<AnalysisTraits>([](const auto &analysis) {
                                 return !analysis.passes_waves;
@@ -46,30 +46,30 @@ namespace RollingContact
     entries.add("Lowest frequency", lowest_frequency, "Hz")
       .at_least(0.)
       .read_by(of_growth)
-      .help =
-      "Vibrations from this frequency up to Modes/Maximum frequency are "
-      "looked at.";
+      .help = "Lowest frequency of the vibrations that are looked for, up to "
+              "Modes/Maximum frequency.";
     entries.add("Rotation", rotation).help =
-      "Whether the wheel turns under the contact as it vibrates, which splits "
-      "its pairs of modes; Contact/Speed over its radius.";
+      "Whether the wheel turns under the contact while it vibrates, with "
+      "Contact/Speed over its radius. The rotation splits the wheel's pairs "
+      "of modes.";
     entries.add("Added damping", added_damping, "1").at_least(0.).help =
-      "Damping ratio that all modes of both bodies have in addition, as by a "
-      "damper.";
+      "Damping ratio that is added to all modes of both bodies, as a damper "
+      "would.";
     entries.add("Count check", count).read_by(of_growth).help =
-      "Count the unstable vibrations by the argument principle as well, "
-      "independent of the eigenvalues.";
+      "Whether the unstable vibrations are counted by the argument principle "
+      "too, independently of the eigenvalues.";
     entries.add("Full model", correct).help =
-      "Correct each unstable vibration, or the wave that grows most, by the "
-      "equations of the whole bodies, and tell how far it is from them.";
+      "Whether each unstable vibration, or the wave that grows most, is "
+      "corrected by the equations of the whole bodies. The run reports the "
+      "difference.";
     entries.add("Thresholds", thresholds).read_by(one_state).help =
-      "Follow friction, creepages and damping from the state until the last "
-      "vibration ceases to grow, or the first one begins to.";
+      "Whether friction, creepages and damping are varied from the state on "
+      "until the last vibration ceases to grow, or the first one begins to.";
     entries.add("Damping margin", damping_margin, "1")
       .at_least(0.)
       .read_by(of_growth)
-      .help =
-      "Damping ratio that a cured mode shall have beyond being stable, for "
-      "the damping that is needed.";
+      .help = "Damping ratio that a cured mode shall have beyond the limit of "
+              "stability. It is added to the damping that is needed.";
   }
 
   void StabilityParameters::check() const

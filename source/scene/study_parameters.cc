@@ -20,7 +20,7 @@ namespace RollingContact
                                                {"time step", true}};
     entries.choice("Vary", varies_time_step, varied).help =
       "`mesh`: steady states on many meshes; `time step`: the transient scene "
-      "of section Time with many steps.";
+      "of section Time with many time steps.";
     declare_meshes(entries);
     declare_methods(entries);
   }
@@ -30,40 +30,43 @@ namespace RollingContact
     entries.add("Elements across patch", elements, "1")
       .between(1, 100000)
       .several()
-      .help = "Meshes to compare.";
+      .help = "Meshes to compare, by their numbers of elements across the "
+              "patch.";
     entries.add("Offsets", n_offsets, "1").between(1, 1000).help =
-      "Positions of each mesh under the patch, equally spaced over one "
-      "element.";
+      "Number of positions of each mesh under the patch, equally spaced over "
+      "one element.";
     entries.add("Reference elements across patch", reference_elements, "1")
       .between(1, 100000)
       .help =
-      "Mesh of the converged solution that forces are compared with, mean "
-      "over the offsets with `calibrated`; finer than the others.";
+      "Elements across the patch of the reference mesh, finer than the "
+      "others. Its forces with `calibrated`, as a mean over the offsets, are "
+      "the converged solution that all forces are compared with.";
     entries.add("Extrapolate reference", extrapolate_reference).help =
       "Whether the converged solution is extrapolated from the reference mesh "
-      "and those of half and a quarter of its elements, with the order they "
-      "show.";
+      "and from meshes of half and a quarter of its elements, with the order "
+      "that they show.";
     entries.add("Rim levels", rim_levels, "1").between(1, 10).help =
       "Halvings of the element size at the leading edge on `graded` meshes.";
     entries.add("Adaptive levels", adaptive_levels, "1").between(1, 20).help =
-      "Levels of `adaptive` meshes; Mesh/Contact node budget may end them "
-      "before.";
+      "Number of levels of `adaptive` meshes. Mesh/Contact node budget may "
+      "end them before.";
     entries.add("Adaptive starts", adaptive_starts, "1")
       .between(1, 100000)
       .several(0)
       .help =
-      "Elements across the patch that those levels start from; empty: as "
-      "Elements across patch.";
+      "Elements across the patch of the meshes from which Adaptive levels "
+      "start; empty: as Elements across patch.";
     entries.add("Creepages over saturation", creepages, "1").several().help =
-      "Creepages, in 2D over mu a/R of the Hertz estimate, in 3D over that at "
-      "which Kalker's linear force is 3 mu N, on profiles that of the ellipse "
-      "as long and as wide as the patch.";
+      "Creepages, divided by that of saturation: in 2D mu a/R of the Hertz "
+      "estimate; in 3D the creepage at which Kalker's linear force is 3 mu N, "
+      "on profiles for the ellipse as long and as wide as the patch.";
     entries.add("Directions", directions)
       .one_of("longitudinal|lateral|spin|combined")
       .several()
       .help =
-      "Of the creepage: `longitudinal`, and in 3D `lateral`, `spin` (its "
-      "lateral force is judged) or `combined`, all three, each over sqrt(3).";
+      "Directions of the creepage: `longitudinal`, and in 3D `lateral`, "
+      "`spin` (its lateral force is judged) or `combined`, all three, each "
+      "divided by sqrt(3).";
   }
 
   void StudyParameters::declare_methods(Entries &entries)
@@ -78,9 +81,9 @@ namespace RollingContact
       .one_of(choice_names(slip_operator_choices()) + "|paper")
       .several()
       .help =
-      "Operators to compare, as Contact/Slip operator, and `paper`: galerkin "
-      "with consistent contact matrices, by the extragradient iteration where "
-      "the solver is `automatic` (Lai et al. 2017).";
+      "Slip operators to compare, as Contact/Slip operator, and `paper` (Lai "
+      "et al. 2017): galerkin with consistent contact matrices, by the "
+      "extragradient iteration where the solver is `automatic`.";
     entries.add("Solvers", solvers)
       .one_of(choice_names(contact_solver_kinds()))
       .several()
@@ -88,22 +91,23 @@ namespace RollingContact
     const std::vector<NamedValue<bool>> combined{{"one at a time", false},
                                                  {"all", true}};
     entries.choice("Combinations", combines_all, combined).help =
-      "`one at a time`: the first mesh, operator and solver, and what differs "
-      "from them in one; `all` of them.";
+      "`one at a time`: the first mesh, operator and solver, and methods that "
+      "differ from them in one of the three; `all`: all combinations.";
     entries.add("Paper tolerance", paper_tolerance, "1")
       .between(1e-15, 1.)
       .help =
-      "Tolerance for `paper`, which no solver takes to that of the others.";
+      "Tolerance of `paper`. No solver reaches the tolerance of the other "
+      "operators with it.";
     entries.add("Time steps", time_steps, "s").at_least(0.).several().help =
-      "Steps to compare, in place of Time/Time step: multiples of twice the "
-      "reference.";
+      "Time steps to compare, in place of Time/Time step. Each is a multiple "
+      "of twice the Reference time step.";
     entries.add("Thetas", thetas, "1").between(0.5, 1.).several().help =
       "Values of Time/Theta to compare.";
     entries.add("Reference time step", reference_time_step, "s")
       .at_least(0.)
       .help =
-      "The reference is extrapolated to first order from this step and twice "
-      "this, with the first of Thetas.";
+      "Time step of the reference, which is extrapolated to first order from "
+      "this step and twice this step, with the first of Thetas.";
   }
 
   namespace

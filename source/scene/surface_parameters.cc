@@ -23,7 +23,7 @@ namespace RollingContact
          [](const auto &surfaces, const auto &contact) {
            return surfaces.has_files(contact.roughness);
          }),
-       "it is that of a file, and an expression gives the heights"}};
+       "it is for heights from a file, and an expression gives the heights"}};
 
     std::string otherwise_of_heights()
     {
@@ -40,33 +40,33 @@ namespace RollingContact
     entries.section("Surfaces")
       .read_by(analyses_with_elements())
       .read_by(analyses_of_contact());
-    const auto declare_height = [&](const Side         side,
-                                    const std::string &name,
-                                    const std::string &help) {
-      entries.add(name, height[side], "m").help =
-        help +
-        " An expression in x and y (m), the frame's at `Position` 0, which "
-        "moves with the material, or " +
-        kinds_of_surface_files +
-        ", whose positions count as the wheel runs (file relative to this "
-        "one); or a crown, `lundberg : LOAD` or `johns-gohar : LOAD` (N), on "
-        "bodies that are straight across, for the length of their contact or "
-        "one that is given, `lundberg : LOAD : LENGTH` (m); or at x = 0 of the "
-        "material a dent, `flat : LENGTH` (m) of a disc or `dip : "
-        "LENGTH, DEPTH` (m); empty for a smooth one.";
-    };
+    const auto declare_height =
+      [&](const Side side, const std::string &name, const std::string &help) {
+        entries.add(name, height[side], "m").help =
+          help +
+          " Empty: smooth. Give an expression in x and y (m) of the frame at "
+          "`Position` 0, which moves with the material; or " +
+          kinds_of_surface_files +
+          ", relative to the .prm file, with positions that count as the wheel "
+          "runs. Or, on bodies that are straight across, give a crown: "
+          "`lundberg : LOAD` or `johns-gohar : LOAD` (N) for the length of "
+          "their contact, `lundberg : LOAD : LENGTH` (m) for a given one. Or "
+          "give a dent at x = 0 of the material: `flat : LENGTH` (m) of a disc "
+          "or `dip : LENGTH, DEPTH` (m).";
+      };
     declare_height(Side::wheel,
                    "Wheel height",
-                   "Height of the wheel's surface, out of it, over the length "
-                   "along its tread; it comes again after a turn.");
+                   "Height of the wheel's surface, positive out of it, over "
+                   "the length along its tread; it repeats after a turn.");
     declare_height(Side::rail,
                    "Rail height",
-                   "Height of the rail's surface, out of it, over the length "
-                   "along the track (a disc's comes again after a turn).");
+                   "Height of the rail's surface, positive out of it, over "
+                   "the length along the track; that of a disc repeats after "
+                   "a turn.");
     entries.add("Friction share", friction_share, "1").help =
-      "What share of Contact/Friction coefficient there is, from 0 to 1: an "
-      "expression in x and y (m), the frame's at `Position` 0, which moves "
-      "with the rail's material; empty for 1. A strip of grease: if(abs(y) < "
+      "Share of Contact/Friction coefficient at each place, from 0 to 1: an "
+      "expression in x and y (m) of the frame at `Position` 0, which moves "
+      "with the rail's material. Empty for 1. A strip of grease: if(abs(y) < "
       "2e-3, 0.2, 1).";
     entries.add("Position", position, "m")
       .read_by({asks<SurfaceParameters>([](const auto &surfaces) {
@@ -74,23 +74,26 @@ namespace RollingContact
                 }),
                 smooth})
       .help =
-      "Distance rolled before t = 0: where the surfaces are at the start and "
-      "in steady states.";
+      "Distance rolled before t = 0. It tells where the surfaces are at the "
+      "start and in steady states.";
     entries.add("Shortest wavelength", shortest_wavelength, "m")
       .read_by(files)
       .at_least(0.)
       .help =
-      "Waves of a file at least so long pass, down to half of it ever less; 0 "
-      "takes 4 elements, the least there is.";
+      "Shortest wavelength of a file that is kept. Shorter waves are damped, "
+      "more and more down to half of this length, below which none is left. "
+      "0: 4 elements, the least possible.";
     entries.add("Position unit", units.position, "m")
       .at_least(0.)
       .read_by(files)
       .help =
-      "Of the numbers in the first column of a file, 1e-3 for millimetres.";
+      "Length of one unit of the positions in the first column of a file; "
+      "1e-3 for millimetres.";
     entries.add("Height unit", units.height, "m")
       .at_least(0.)
       .read_by(files)
-      .help = "Of the heights in a file, 1e-6 for micrometres.";
+      .help = "Length of one unit of the heights in a file; 1e-6 for "
+              "micrometres.";
   }
 
   std::string SurfaceParameters::entry(const Side side)

@@ -61,31 +61,32 @@ namespace RollingContact
     for (std::size_t k = 0; k < max_axes; ++k)
       entries.add(name_of_axis(k), axis_texts[k]).help =
         k == 0
-          ? "An axis of a full grid of states: Section/Entry = its values, such "
-            "as Contact/Creepage x = -0.01 : 0.01 : 21, " +
+          ? "One axis of a full grid of states: Section/Entry = its values, "
+            "such as Contact/Creepage x = -0.01 : 0.01 : 21. Values are " +
               std::string(number_list_form) +
-              ", in the entry's unit; any number of sections Wheel, Rail, "
-              "Contact, Mesh and Profiles, in place of what the scene gives "
-              "there. Numbers of section Contact change the load on bodies "
-              "that are kept, all others make new bodies. Empty for none."
+              ", in the entry's unit. The entry may be any one with numbers "
+              "of sections Wheel, Rail, Contact, Mesh and Profiles; the axis "
+              "replaces its value in the scene. Entries of section Contact "
+              "change the load on bodies that are kept; all others make new "
+              "bodies. Empty for none."
           : std::string("As `Axis 1`.");
     entries.add("File of rows", file_of_rows).help =
-      "In place of axes: a CSV file (columns separated by commas, semicolons "
-      "or tabs) whose first line names entries, Section/Entry, and whose "
-      "other lines are a state each. Relative to the folder of the .prm file.";
+      "CSV file in place of axes, relative to the folder of the .prm file. "
+      "Its first line names entries as Section/Entry; each other line is a "
+      "state. Columns are separated by commas, semicolons or tabs.";
     entries.add("Part", part_text).help =
-      "Number/of, as 3/16: this run solves one part of the states, which other "
-      "runs of the same scene complete, on as many machines as there are. Each "
-      "has a folder of its own. Empty for all states.";
+      "Part of the states that this run solves, as number/of, such as 3/16. "
+      "Other runs of the same scene, on any machines, solve the other parts. "
+      "Each run has a folder of its own. Empty for all states.";
     entries.add("Join", join).help =
-      "Folders of runs of all parts, separated by commas, with * and ? for "
-      "several, as output/part_*: their states become one table, and nothing "
-      "is solved.";
+      "Folders of the runs of all parts, separated by commas, with * and ? "
+      "for several, such as output/part_*. Their states become one table, and "
+      "nothing is solved.";
     entries.add("Threads", threads, "1")
       .resumed_if(in_all_scenes)
       .between(0, 1024)
-      .help = "Threads that solve states, with the same numbers whatever their "
-              "number; 0: as many as there are processors.";
+      .help = "Number of threads that solve states; 0: as many as there are "
+              "processors. Results do not depend on it.";
   }
 
   std::vector<TableAxis> TableParameters::axes() const

@@ -37,7 +37,8 @@ namespace RollingContact
     const Reader recorded_runs{
       asks<AnalysisTraits>(
         [](const auto &analysis) { return !analysis.has_row_for_each_run(); }),
-      "this analysis says itself when a run ends, and has a row for each"};
+      "this analysis decides itself when a run ends, and writes one row for "
+      "each run"};
     const Reader runs_to_their_end{
       [](const SceneParameters &scene) {
         return scene.analysis.records_run && !scene.looks_for_cycles() &&
@@ -79,30 +80,31 @@ namespace RollingContact
       .at_least(0.)
       .resumed_if(in_one_run)
       .help =
-      "Rolled distance at which a transient run ends, at constant speed.";
+      "Rolled distance at which a transient run ends. It needs a constant "
+      "speed.";
     entries.add("Time step", time_step, "s").at_least(0.).help =
       "Length of a step. Give this or `Step length`, 0 for the other.";
     entries.add("Step length", step_length, "m").at_least(0.).help =
-      "Distance rolled in one step, at constant speed.";
+      "Distance rolled in one step. It needs a constant speed.";
     entries.add("Maximum halvings", maximum_halvings, "1").between(0, 30).help =
-      "How many times in a row the step is halved when the contact solve "
-      "fails, before the run stops.";
+      "How many times in a row a step is halved when its contact solve fails, "
+      "before the run stops.";
     entries.add("Step estimate", step_estimate)
       .read_by(runs_to_their_end)
       .resumed_if(in_one_run)
       .help =
-      "Whether the run is repeated with steps of twice the length, without any "
-      "output, to estimate how far the force at its end is off by the length "
-      "of the steps; it costs about half of the run. A resumed run and one on "
-      "several ranks are not.";
+      "Whether the run is repeated without output and with steps of twice the "
+      "length, to estimate the error that the step length makes in the force "
+      "at its end. That costs about half of the run. A resumed run and one on "
+      "several ranks are not repeated.";
     entries.add("Theta", theta, "1").between(0.5, 1.).help =
-      "The theta-scheme's parameter: 0.5 keeps the energy, 1 damps most.";
+      "Parameter of the theta-scheme: 0.5 keeps the energy, 1 damps most.";
     entries.choice("Bodies", bodies, named_bodies).help =
       "`full`: all unknowns of the bodies. `reduced`: their modes up to "
       "Modes/Cut-off ratio times Modes/Maximum frequency, and the static "
-      "compliance of what these leave out.";
+      "compliance that these modes leave out.";
     entries.add("Inertia", inertia).help =
-      "Whether the bodies have mass; without it, quasi-static rolling in time.";
+      "Whether the bodies have mass; false: quasi-static rolling in time.";
     entries.choice("Mass", mass, named_masses).help =
       "Mass matrix: `lumped` or `consistent`.";
     entries.add("Rayleigh alpha", rayleigh_alpha, "1/s").at_least(0.).help =
@@ -117,39 +119,39 @@ namespace RollingContact
   void TimeParameters::declare_start(Entries &entries)
   {
     entries.choice("Initial state", initial_state, named_initial_states).help =
-      "`rest`, undeformed and without traction, or `steady`, the steady "
-      "rolling state at t = 0.";
+      "`rest`: undeformed and without traction; `steady`: the steady rolling "
+      "state at t = 0.";
     entries.add("Hold approach", hold_approach).help =
-      "Whether Contact/Normal load is that of the steady initial state alone, "
-      "and the approach stays what it is there.";
+      "Whether Contact/Normal load gives the steady initial state only, whose "
+      "approach is then kept during the run.";
     entries.add("Excite mode", excite_mode, "Hz").at_least(0.).help =
-      "With Bodies = reduced the run starts in the vibration about the steady "
-      "state that grows and is nearest to this frequency, or in the nearest "
-      "if none grows, see Analysis = stability; 0 for none.";
+      "With Bodies = reduced the run starts in a vibration about the steady "
+      "state: the one nearest to this frequency of those that grow, or of all "
+      "if none grows, see Analysis = stability. 0: no vibration.";
     entries.add("Excite velocity", excite_velocity, "m/s").at_least(0.).help =
-      "Largest velocity of wheel over rail in the contact that `Excite mode` "
-      "starts with.";
+      "Largest velocity of wheel over rail in the contact at the start, for "
+      "the vibration of `Excite mode`.";
     entries.add("Initial velocity", initial_velocity, "m/s").help =
-      "Velocity of a wheel with Hub = free or mass at the start, along z: "
+      "Velocity along z of a wheel with Hub = free or mass at the start; "
       "negative towards the rail.";
   }
 
   void TimeParameters::declare_histories(Entries &entries)
   {
     const std::string forms =
-      ", a number, an expression in t (s), `FILE.csv` or `table: FILE column` "
-      "(time in s first; file relative to this one); empty: as in section "
-      "Contact.";
+      ": a number, an expression in t (s), `FILE.csv` or `table: FILE column` "
+      "(time in s first; file relative to the .prm file). Empty: as in "
+      "section Contact.";
     const std::string instead =
       " on the wheel over time, in place of the creepage, which is found for "
       "it" +
       forms;
     entries.add("Approach", approach, "m").help =
       "Approach over time" + forms +
-      " Contact/Approach must be given too, the mesh is made for it.";
+      " Give Contact/Approach too, because the mesh is made for it.";
     entries.add("Normal load", normal_load, "N").help =
       "Normal load over time" + forms +
-      " Contact/Normal load must be given too, the mesh is made for it.";
+      " Give Contact/Normal load too, because the mesh is made for it.";
     entries.add("Creepage x", creepage_x, "1").help =
       "Longitudinal creepage over time" + forms;
     entries.add("Creepage y", creepage_y, "1").help =
@@ -163,7 +165,7 @@ namespace RollingContact
     entries.add("Spin moment", spin_moment, "N m").help =
       "Moment of friction about the normal, 3D only," + instead;
     entries.add("Speed", speed, "m/s").help =
-      "Rolling speed over time, of the sign of Contact/Speed" + forms;
+      "Rolling speed over time, with the sign of Contact/Speed" + forms;
   }
 
   void TimeParameters::declare_output(Entries &entries)
@@ -171,48 +173,50 @@ namespace RollingContact
     entries.add("Field interval", field_interval, "1")
       .at_least(0)
       .read_by(recorded_runs)
-      .help = "Fields are written every so many steps; 0 for none.";
+      .help = "Number of steps from one writing of fields to the next; 0: no "
+              "fields.";
     entries.add("Checkpoint interval", checkpoint_interval, "1")
       .read_by(recorded_runs)
       .resumed_if(in_one_run)
       .at_least(0)
       .help =
-      "A checkpoint for --resume is written every so many steps; 0 leaves it "
-      "to `Checkpoint seconds`.";
+      "Number of steps from one checkpoint for --resume to the next; 0: by "
+      "`Checkpoint seconds`.";
     entries.add("Checkpoint seconds", checkpoint_seconds, "s")
       .read_by(recorded_runs)
       .resumed_if(in_one_run)
       .at_least(0.)
       .help =
-      "A checkpoint is written after so much wall time, the first ones "
-      "sooner, and later where they would take more than 3 % of it; 0 leaves "
-      "it to `Checkpoint interval`.";
+      "Wall time from one checkpoint to the next. The first ones come sooner; "
+      "checkpoints come later where they would take more than 3 % of the "
+      "time. 0: by `Checkpoint interval`.";
     entries.add("Damping frequency", damping_frequency, "Hz")
       .at_least(0.)
       .help =
-      "Frequency f for which the numerical damping (theta - 1/2) 2 pi f dt is "
-      "said; 0 for none.";
+      "Frequency f for which the run reports the numerical damping (theta - "
+      "1/2) 2 pi f dt; 0: none.";
     entries.add("Stop when periodic", stop_when_periodic)
       .read_by(recorded_runs)
       .resumed_if(in_one_run)
       .help =
-      "Whether the run ends before `End time` once the motion repeats itself, "
-      "or nothing moves any more, and its limit cycle is measured: cycle.csv, "
-      "cycle.svg, cycle_patch.csv.";
+      "Whether the run ends before `End time` when the motion repeats itself "
+      "or nothing moves any more. Its limit cycle is measured then: "
+      "cycle.csv, cycle.svg, cycle_patch.csv.";
     entries.add("Periodic tolerance", periodic_tolerance, "1")
       .between(1e-6, 0.1)
       .read_by(runs_until_periodic)
       .resumed_if(in_one_run)
       .help =
-      "What a period may differ by from those before it, as a part of the "
-      "range of each velocity and force, and by how much the amplitude may "
-      "still be away from where it is going.";
+      "Largest difference of a period from those before it, as a share of the "
+      "range of each velocity and force. The amplitude may still be off its "
+      "final value by this share.";
     entries.add("Periodic after", periodic_after, "s")
       .at_least(0.)
       .read_by(runs_until_periodic)
       .resumed_if(in_one_run)
       .help =
-      "Beginning of the run that is left out when periods are looked for.";
+      "Time at the beginning of the run that is left out when periods are "
+      "looked for.";
   }
 
   namespace

@@ -65,34 +65,35 @@ namespace RollingContact
                 }),
                 "an evolution of profiles tells of its own wear"})
       .help =
-      "Whether wear and fatigue of each steady state are told: columns of "
+      "Whether wear and fatigue of each steady state are reported: columns of "
       "results.csv, depths per passage in across.csv, fields of "
       "interface.vtu, and the shakedown map.";
     entries.add("Hardness", hardness, "Pa").read_by(reports).help =
-      "Of the softer body, for Archard's law.";
+      "Hardness of the softer body, for Archard's law.";
     entries.add("Density", density, "kg/m^3").read_by(reports).help =
-      "By which worn mass is depth.";
+      "Density that turns worn mass into depth.";
     entries.add("Shear yield stress", shear_yield_stress, "Pa")
       .read_by({[reports](const SceneParameters &scene) {
                   return reports.reads(scene) ||
                          scene.surfaces.has_files(scene.contact.roughness);
                 },
                 reports.otherwise})
-      .help = "k, for the indices of fatigue, the shakedown map, and the "
-              "warning of peak pressures on measured surfaces.";
+      .help = "Shear yield stress k, for the indices of fatigue, the "
+              "shakedown map, and the warning of peak pressures on measured "
+              "surfaces.";
     entries.choice("Archard coefficients", archard_scatter, scatters)
       .read_by(reports)
-      .help = "Where in the scatter of their measurements the coefficients of "
-              "Archard's law are taken; both ends are columns as well.";
+      .help = "Where in the scatter of measurements the coefficients of "
+              "Archard's law lie: `lowest`, `middle` or `highest`. The wear "
+              "at both ends is in columns as well.";
     entries.choice("Catastrophic branch", catastrophic_branch, branches)
       .read_by(reports)
       .help =
-      "How the law `usfd` goes on above 77.2 N/mm^2: `continuous`, or "
-      "as programs (`code`) or print (`florence`) have it, with a jump.";
+      "How the law `usfd` continues above 77.2 N/mm^2: `continuous`, or with "
+      "a jump as in programs (`code`) or in print (`florence`).";
     entries.choice("Damage threshold", threshold, thresholds)
       .read_by(reports)
-      .help =
-      "Energy, N, from which on the damage function of T gamma counts a "
-      "passage.";
+      .help = "Value of T gamma (N) from which on its damage function counts "
+              "a passage.";
   }
 } // namespace RollingContact

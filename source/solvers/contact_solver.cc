@@ -137,15 +137,17 @@ namespace RollingContact
   {
     static const std::vector<ContactSolverKind> kinds{
       {"automatic",
-       "active set, and what else there is where that fails",
+       "active set, and the other solvers where it fails",
        &automatic},
       {"economical",
-       "the same in about half the time, rounds of the edge law solved no "
-       "further than they change it; now and then other edges settle, within "
-       "the error of the mesh. A table takes it for `automatic`",
+       "as automatic in about half the time. It solves the rounds of the edge "
+       "law only as far as they matter. Now and then the edges of stick "
+       "settle elsewhere, within the error of the mesh. A table takes it for "
+       "`automatic`",
        &economical},
       {"active set",
-       "pressure and traction by active sets, in 3D traction by Newton",
+       "pressure and traction by active sets, in 3D traction by Newton's "
+       "method",
        &alternating<TangentialActiveSet>},
       {"extragradient",
        "traction by projection and correction",

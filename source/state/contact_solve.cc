@@ -140,10 +140,12 @@ namespace RollingContact
       steady.solver.reason =
         (is_vertical ? "Contact/Vertical load = " : "Contact/Normal load = ") +
         significant(asked.load, 6) + " N " +
-        (jumps ? "is not reached: on this mesh friction jumps over it where "
-                 "pressure alone gives " +
-                   significant(load, 6) + " N. Give " + other +
-                   ", or change Mesh/Elements across patch"
+        (jumps ? "is not reached: on this mesh friction changes by a jump "
+                 "where pressure alone gives " +
+                   significant(load, 6) +
+                   " N, and the load jumps over the one "
+                   "that is asked for. Give " +
+                   other + ", or change Mesh/Elements across patch"
                : "was not found together with friction in " +
                    std::to_string(max_rounds) + " rounds. Give " + other);
     }

@@ -21,14 +21,14 @@ namespace RollingContact
                               "short waves out; a step needs a ramp.";
     if (found.highest > highest_surface)
       throw InputError(given + "a height of " + significant(found.highest, 4) +
-                       " m is that of no surface a wheel rolls on (at most "
-                       "5e-3 m): x, y and the height are in m.");
+                       " m is too large for a surface that a wheel rolls on "
+                       "(at most 5e-3 m): x, y and the height are in m.");
     if (found.steepest > steepest_surface)
       throw InputError(given + "a slope of " + significant(found.steepest, 3) +
                        " at " + it.axis + " = " +
                        significant(found.steepest_from, 6) +
-                       " m is that of no surface a wheel rolls on (at most "
-                       "0.1): x, y and the height are in m." +
+                       " m is too steep for a surface that a wheel rolls on "
+                       "(at most 0.1): x, y and the height are in m." +
                        more);
     const auto share = [&](const double part) {
       return significant(100 * part / found.rms, 2) + " % of its rms along " +

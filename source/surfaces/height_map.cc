@@ -120,9 +120,9 @@ namespace RollingContact
         "a height of " + significant(*highest, 4) +
           " m about the plane, point " + std::to_string(point % map.n_x + 1) +
           " along and " + std::to_string(point / map.n_x + 1) +
-          " across, is that of no surface a wheel rolls on (at most 5e-3 "
-          "m). Check Surfaces/Height unit, 1e-6 for micrometres, or "
-          "the Zscale of an .sdf, in m.",
+          " across, is too large for a surface that a wheel rolls on (at most "
+          "5e-3 m). Check Surfaces/Height unit, 1e-6 for micrometres, or the "
+          "Zscale of an .sdf, in m.",
         map.text_lines.empty()     ? 0
         : map.a_text_line_is_one_x ? map.text_lines[point % map.n_x]
                                    : map.text_lines[point / map.n_x]);

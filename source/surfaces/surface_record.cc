@@ -114,8 +114,8 @@ namespace RollingContact
           const double height = units.height * file.heights[k] - mean;
           if (std::abs(height) > highest_surface)
             file.reject("a height of " + significant(height, 4) +
-                          " m about the mean is that of no surface a wheel "
-                          "rolls on (at most 5e-3 m)." +
+                          " m about the mean is too large for a surface that "
+                          "a wheel rolls on (at most 5e-3 m)." +
                           hint,
                         file.lines[k]);
           if (k == 0)
@@ -125,8 +125,8 @@ namespace RollingContact
             (units.position * (file.positions[k] - file.positions[k - 1]));
           if (std::abs(slope) > steepest_surface)
             file.reject("a slope of " + significant(slope, 3) +
-                          " is that of no surface a wheel rolls on (at most "
-                          "0.1)." +
+                          " is too steep for a surface that a wheel rolls on "
+                          "(at most 0.1)." +
                           hint,
                         file.lines[k]);
         }

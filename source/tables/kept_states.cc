@@ -116,8 +116,8 @@ namespace RollingContact
   {
     if (wanted.n_nodes > most_nodes)
       throw ConvergenceError(
-        "The profiles touch at places so different that elements for the "
-        "smallest of them would give " +
+        "The profiles touch at places so different that elements small enough "
+        "for the smallest patch would give " +
         significant(wanted.n_nodes, 3) + " contact nodes.");
     if (kept.size() >= most_kept)
       kept.pop_back();
@@ -221,13 +221,12 @@ namespace RollingContact
            {},
            kept.empty()
              ? "the first state"
-             : "no bodies that are kept are made for " + bodies +
-                 " and a patch of " +
+             : "no bodies were kept for " + bodies + " and a patch of " +
                  significant(wanted.patch.half_width_x, 3) + " m half-width, " +
                  significant(wanted.patch.half_width_y, 3) + " m across");
     else
       {
-        std::string why = "the patch is elsewhere than in the zone of nodes";
+        std::string why = "the patch lies outside the zone of contact nodes";
         if (kept.front().reaches(wanted))
           {
             solve_kept(scene, wanted, kind);

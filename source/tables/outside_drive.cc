@@ -111,9 +111,9 @@ namespace RollingContact
         reject(k, "it must be finite.");
     if (values[normal_load] && !load_given)
       reject(normal_load,
-             "the scene gives Contact/Approach, in place of which no load can "
-             "be given; give the approach in m, or a scene with "
-             "Contact/Normal load.");
+             "the scene gives Contact/Approach, so that a load cannot be "
+             "given; give the approach in m, or a scene with Contact/Normal "
+             "load.");
     if (values[normal_load] && scene->contact.vertical_load)
       reject(normal_load,
              "the scene gives Contact/Vertical load, from which it is found; "
@@ -122,8 +122,8 @@ namespace RollingContact
       reject(normal_load, "contact cannot pull, it must be at least 0 N.");
     if (values[approach] && load_given)
       reject(approach,
-             "the scene gives the load, in place of which no approach can be "
-             "given; give normal_load in N, or a scene with Contact/Approach.");
+             "the scene gives the load, so that an approach cannot be given; "
+             "give normal_load in N, or a scene with Contact/Approach.");
     if (values[approach] && scene->wheel.axle_mass)
       reject(approach,
              "with Wheel/Hub = mass the axle moves by the forces on it; leave "

@@ -334,7 +334,7 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<StabilityMap>(
       "stability map",
-      "which of the states of a grid squeal, see sections Table and Stability");
+      "which states of a grid squeal, see sections Table and Stability");
     kind.sections        = {"Table", "Modes", "Stability"};
     kind.has_many_states = true;
     kind.linearises      = true;

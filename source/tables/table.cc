@@ -349,7 +349,7 @@ namespace RollingContact
   {
     AnalysisKind kind = kind_of<Table>(
       "table",
-      "the states of a grid over any entries, or of the rows of a file, see "
+      "the states on a grid of any entries, or of the rows of a file, see "
       "section Table");
     kind.sections        = {"Table"};
     kind.has_many_states = true;

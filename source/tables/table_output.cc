@@ -46,10 +46,11 @@ namespace RollingContact
       return n == 1 ? std::string("1 state") : std::to_string(n) + " states";
     };
     if (n_fallbacks > 0)
-      log.warning("Of " + number(n_fallbacks) +
-                  " the edges did not settle or another solver stood in: the "
-                  "laws hold, but the force may be off by more than it is "
-                  "elsewhere (column solver of results.csv).");
+      log.warning("In " + number(n_fallbacks) +
+                  " the edges of contact did not settle or another solver "
+                  "took over: the laws of contact hold, but the force may "
+                  "have a larger error than elsewhere (column solver of "
+                  "results.csv).");
     if (n_without_bound > 0 && largest_bound)
       log.warning("No bound of the error is known for " +
                   number(n_without_bound) +

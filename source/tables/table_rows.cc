@@ -32,7 +32,8 @@ namespace RollingContact
           return static_cast<TableStatus>(k);
       throw InputError("results.csv, row " + std::to_string(row + 1) +
                        ": column status has \"" + name +
-                       "\", which is none. Start the run without --resume.");
+                       "\", which is no status of a state. Start the run "
+                       "without --resume.");
     }
 
     /** How the texts in the file of a table are read. */

@@ -126,7 +126,7 @@ namespace RollingContact
   {
     std::string text = Cycles::sentence(verdict);
     if (is_periodic() && eigenvalue)
-      text += "; the vibration it began in has " +
+      text += "; the vibration that it started in has " +
               significant(std::abs(eigenvalue->imag()) / (2 * pi), 6) +
               " Hz and grows by " + significant(eigenvalue->real(), 4) +
               " 1/s while it is small";
@@ -135,7 +135,8 @@ namespace RollingContact
         verdict.motion == Cycles::Motion::too_short)
       context.log.warning("The motion is not known to be a limit cycle: " +
                           Cycles::sentence(verdict) +
-                          ". Take a later Time/End time, --resume goes on.");
+                          ". Take a later Time/End time; --resume continues "
+                          "the run.");
     if (!is_periodic())
       return;
     const std::string along    = std::string(1, direction());
@@ -161,8 +162,8 @@ namespace RollingContact
         {"amplitude of the cycle",
          1.5 / share.sticking, // either border of the zone may be off
          "itself",
-         "a node and a half of the " + significant(share.sticking, 2) +
-           " that stick while some do, which limit it",
+         "one and a half nodes of the " + significant(share.sticking, 2) +
+           " that stick on average while any do; these limit it",
          true,
          ""});
     const auto energy = energies();

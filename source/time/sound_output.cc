@@ -68,8 +68,8 @@ namespace RollingContact
     if (bodies.empty())
       throw InputError("Modes/Maximum frequency = " +
                        significant(scene.inputs->modes.maximum_frequency, 6) +
-                       " Hz: no body has a mode up to there, and sound is "
-                       "estimated from modes; take more.");
+                       " Hz: no body has a mode below it, and the sound is "
+                       "estimated from modes; give a higher frequency.");
     if (context.resume)
       table.emplace(context.folder,
                     modal_velocities_name,

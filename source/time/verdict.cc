@@ -148,7 +148,7 @@ namespace RollingContact::Cycles
                  " Hz; periods differ by " +
                  scientific(verdict.period.difference, 2) + " of the ranges, " +
                  change + ", " + scientific(trend.remaining, 1) +
-                 " of it to come";
+                 " of it is still to come";
         case Motion::stationary:
           return "stationary but not periodic: levels stay within " +
                  significant(100 * trend.spread, 2) + " %, " + change +
@@ -160,15 +160,15 @@ namespace RollingContact::Cycles
                     : ", and there is no period");
         case Motion::decayed:
           if (verdict.left_over == 0.)
-            return "decayed to the steady state, nothing moves";
+            return "decayed to the steady state: nothing moves";
           return "decayed to the steady state, to " +
                  scientific(verdict.left_over, 1) + " of the largest ranges";
         case Motion::changing:
           if (verdict.left_over == 0.)
-            return "still grows from next to nothing at the end";
+            return "still grows at the end, and is tiny yet";
           return "still changes at the end: " + change +
                  (goes_on_to_grow(verdict.differences)
-                    ? ", and what differs from period to period, " +
+                    ? ", and the difference from period to period, " +
                         scientific(verdict.period.difference, 2) +
                         " of the ranges, grows by " +
                         significant(verdict.differences.rate, 2) + " 1/s"

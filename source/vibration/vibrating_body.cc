@@ -331,9 +331,11 @@ namespace RollingContact
     for (const std::string &note : notes)
       context.log.message(parameters.section + ": " + note);
     context.log.detail(parameters.section +
-                       ": what the modes leave out is as soft as " +
+                       ": the flexibility that the modes leave out is as soft "
+                       "as " +
                        significant(100 * softening(result, rings), 2) +
-                       " % of the dampers' springs, and in series with them.");
+                       " % of the dampers' springs and acts in series with "
+                       "them.");
     warn_of_diameters(rings, highest, context);
     return result;
   }

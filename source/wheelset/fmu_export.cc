@@ -143,10 +143,11 @@ namespace RollingContact
     if (n_beside > 0)
       context.log.warning(
         std::to_string(n_beside) + " of " + std::to_string(rows.n_rows()) +
-        " states have no solution on their mesh, as an edge jumps over the "
-        "load; in the FMU they are those of a load up to " +
+        " states have no solution on their mesh, because the load jumps there "
+        "as an edge of the contact moves. The FMU has states with a load up "
+        "to " +
         significant(100 * loads_beside.back(), 2) +
-        " % away, and their bounds are as much wider.");
+        " % away in their place, and their bounds are wider by as much.");
     return all;
   }
 

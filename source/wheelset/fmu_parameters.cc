@@ -23,12 +23,14 @@ namespace RollingContact
       {"Lateral shift",
        "-0.006 : 0.006 : 13",
        "m",
-       "Of the wheelset to the right, against the rail of the right-hand wheel"},
-      {"Yaw", "0", "rad", "Of the wheelset against the radial direction"},
+       "Lateral shift of the wheelset to the right, against the rail of the "
+       "right-hand wheel"},
+      {"Yaw", "0", "rad", "Yaw of the wheelset against the radial direction"},
       {"Curvature",
        "0",
        "1/m",
-       "Of the track, positive to the right, and of a yaw rate over the speed"},
+       "Curvature of the track with the yaw rate over the speed, positive to "
+       "the right"},
       {"Load",
        "",
        "N",
@@ -36,16 +38,17 @@ namespace RollingContact
       {"Slip along",
        slips,
        "1",
-       "Forwards, of a wheel that would roll on the radius where it touches as "
-       "a rigid one, over the friction coefficient"},
+       "Slip forwards, less that of a wheel that rolls on the radius where a "
+       "rigid one touches, over the friction coefficient"},
       {"Slip across",
        slips,
        "1",
-       "To the right, at the tape circle, over the friction coefficient"},
+       "Slip to the right at the tape circle, over the friction coefficient"},
       {"Friction coefficient",
        "",
        "1",
-       "Of both wheels; empty: Contact/Friction coefficient"}};
+       "Friction coefficient of both wheels; empty: Contact/Friction "
+       "coefficient"}};
 
     [[noreturn]] void refuse_scene(const std::string &entry,
                                    const std::string &what)
@@ -61,7 +64,8 @@ namespace RollingContact
                      "set the levels to 0.");
       if (scene.body_solver == BodySolver::distributed)
         refuse_scene("Body solver = distributed",
-                     "keeps bodies; take direct or automatic.");
+                     "keeps bodies, which is not possible on several ranks; "
+                     "take direct or automatic.");
       if (!scene.inputs->table.axes().empty() ||
           !scene.inputs->table.file_of_rows.empty())
         refuse_scene("Table/Axis 1 or File of rows",
@@ -82,9 +86,9 @@ namespace RollingContact
                                            : ".");
       }
     entries.add("Points", n_points, "1").between(0, 100000).help =
-      "States at random places between those of the table that are solved: from "
-      "one half of them follows how wide the bound of the forces must be, the "
-      "other half tells how often it holds.";
+      "Number of states at random places between those of the table that are "
+      "solved as a check. One half gives how wide the bound of the forces "
+      "must be; the other half tells how often the bound holds.";
   }
 
   void FmuParameters::check() const
@@ -93,9 +97,9 @@ namespace RollingContact
       {
         const std::string entry = std::string("FMU/") + axis_entries[d].name;
         if (axes[d].size() == 2)
-          throw InputError(entry + " has two values: give one, or three and "
-                                   "more, from which follows how far "
-                                   "interpolation is off.");
+          throw InputError(entry + " has two values: give one, or at least "
+                                   "three, which show how large the error of "
+                                   "interpolation is.");
         for (std::size_t k = 0; k < axes[d].size(); ++k)
           {
             if (k > 0 && !(axes[d][k] > axes[d][k - 1]))
@@ -134,13 +138,13 @@ namespace RollingContact
     const ProfileParameters &profiles = scene.profiles;
     if (scene.dimension != 3 || !profiles.in_use())
       refuse_scene("Profiles/Wheel profile and Rail profile",
-                   "is of wheels with profiles in 3D; give both and Dimension "
+                   "needs wheels with profiles in 3D; give both and Dimension "
                    "= 3.");
     if (!profiles.gives_creepages() ||
         profiles.surface_kind != Profiles::SurfaceKind::curved)
       refuse_scene("Profiles/Creepages and Contact surface",
-                   "takes `from kinematics` and `curved`, so that states are "
-                   "those of a motion.");
+                   "needs `from kinematics` and `curved`, because its states "
+                   "are given by the motion of the wheelset.");
     if (scene.follows_profiles())
       refuse_scene("Profiles/Body sections, Wheel/Shape, Rail/Shape",
                    "keeps bodies from place to place; take a disc and a "
@@ -151,13 +155,15 @@ namespace RollingContact
                    "right-hand one; take automatic and right.");
     if (!(scene.contact.vertical_load.value_or(0.) > 0.))
       refuse_scene("Contact/Vertical load",
-                   "takes the load in newtons; give one above 0.");
+                   "needs a load in N; give one above 0.");
     if (!(scene.contact.friction_coefficient > 0.) ||
         scene.contact.friction_law != "constant")
       refuse_scene("Contact/Friction coefficient and Friction law",
-                   "takes a coefficient above 0 that is constant.");
+                   "needs a coefficient above 0 that is constant.");
     if (!(scene.contact.rolling_speed() > 0.))
-      refuse_scene("Contact/Speed", "goes forwards; give a speed above 0.");
+      refuse_scene("Contact/Speed",
+                   "needs a wheelset that rolls forwards; "
+                   "give a speed above 0.");
     check_states(scene);
   }
 } // namespace RollingContact

@@ -176,9 +176,10 @@ namespace RollingContact
     const auto number = [&](const char *column) {
       const auto value = row(column);
       if (!value)
-        throw InputError("results.csv: no " + std::string(column) +
-                         " of a state; an FMU needs it of all: give more "
-                         "Mesh/Elements across patch, or other axes.");
+        throw InputError(
+          "results.csv: no " + std::string(column) +
+          " of a state, and an FMU needs it of all states: "
+          "give more Mesh/Elements across patch, or other axes.");
       return *value;
     };
     const double shift = point[Fmu::shift_axis], yaw = point[Fmu::yaw_axis],

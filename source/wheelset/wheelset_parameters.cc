@@ -24,8 +24,9 @@ namespace RollingContact
     void refuse_with(const std::string &given, const std::string &other)
     {
       throw InputError("Wheelset/" + given + " and " + other +
-                       ": what is given in place of a balance leaves that "
-                       "without effect; give one of them.");
+                       ": a given shift or yaw takes the place of a balance, "
+                       "so that both together have no meaning; give one of "
+                       "them.");
     }
   } // namespace
 
@@ -59,8 +60,10 @@ namespace RollingContact
               is_bogie,
               std::vector<NamedValue<bool>>{{"wheelset", false},
                                             {"bogie", true}})
-      .help = "A wheelset, or a bogie: two wheelsets alike in a frame, which "
-              "the section stands for at the middle of the frame.";
+      .help = "`wheelset`: one wheelset. `bogie`: two equal wheelsets in a "
+              "frame. Lateral force and cant deficiency then act on the "
+              "frame; axle load, load transfer and axle torque are those of "
+              "each wheelset.";
     declare_balance(entries);
     declare_left_side(entries);
     const Reader hunting_ones{asks<AnalysisTraits>([](const auto &analysis) {
@@ -74,79 +77,82 @@ namespace RollingContact
     entries.add("Search for others", searches)
       .read_by(hunting_ones)
       .read_by({[](const auto &scene) { return !has_bogie()(scene); },
-                "it is looked for around a lone wheelset"})
+                "other equilibria are looked for with a single wheelset only"})
       .help =
-      "Look for other equilibria of the last curve, over all shifts at which "
-      "both wheels are on the rails.";
+      "Whether other equilibria of the last curve are looked for, over all "
+      "shifts at which both wheels are on the rails.";
   }
 
   void WheelsetParameters::declare_balance(Entries &entries)
   {
     entries.list("Curve radius", curve_radii, "", "m").help =
-      "Of the middle of the track, positive where the curve is to the right, "
-      "one after the other: " +
+      "Radii of curves at the middle of the track, solved one after the "
+      "other, positive where the curve is to the right: " +
       Entries::form_of_lists() + "; empty: straight track.";
     entries.add("Axle load", axle_load, "N").help =
-      "What both wheels of a wheelset carry together.";
+      "Load that both wheels of a wheelset carry together.";
     entries.add("Cant deficiency", cant_deficiency, "m").help =
-      "By which the cant is too small for the speed, of rails 1.5 m apart; "
-      "negative: too much cant.";
+      "Cant that is missing at this speed, for rails 1.5 m apart; negative: "
+      "too much cant.";
     entries.add("Lateral force", lateral_force, "N").help =
-      "Of the suspension on the wheelset, or of the car body on a bogie, to "
-      "the right, besides that of the cant deficiency.";
+      "Force of the suspension on a wheelset, or of the car body on a bogie, "
+      "to the right, besides that of the cant deficiency.";
     entries.add("Load transfer", load_transfer, "N").help =
-      "Load that goes from the left wheel to the right one, besides that by "
+      "Load that goes from the left wheel to the right one, besides that of "
       "the lateral force at the height of the axle.";
     entries.add("Yaw stiffness", yaw_stiffness, "N m/rad").at_least(0.).help =
-      "Of the suspension between wheelset and frame about the vertical; 0: a "
-      "free wheelset.";
+      "Stiffness of the suspension between wheelset and frame about the "
+      "vertical; 0: a free wheelset.";
     entries.add("Frame yaw", frame_yaw, "rad").help =
-      "Of the frame against the radial direction, right-handed about z down; "
-      "for a bogie that of the car body above it.";
+      "Yaw of the frame against the radial direction, right-handed about z, "
+      "which points down. For a bogie it is the yaw of the car body above it.";
     entries.add("Half wheelbase", ahead_of_frame, "m").help =
-      "How far the wheelset is ahead of the middle of its frame, negative for a "
-      "trailing one: in a curve the frame stands at -distance/R more; of a "
-      "bogie, above 0.";
+      "Distance of the wheelset ahead of the middle of its frame, negative "
+      "for a trailing one. In a curve it adds -distance/R to the yaw of the "
+      "frame. For a bogie: half the distance of its wheelsets, above 0.";
     entries.add("Axle torque", axle_torque, "N m").help =
-      "That drives the wheelset forwards; negative: that brakes it.";
+      "Torque that drives the wheelset forwards; negative: it brakes.";
     entries.add("Rail lateral stiffness", rail_stiffness, "N/m").help =
-      "Of each rail where a wheel presses it sideways, that of a usual track "
-      "some 2e7; empty: rails do not give way. Heads do not turn.";
+      "Stiffness of each rail where a wheel presses it sideways, some 2e7 for "
+      "a usual track. Rail heads do not turn. Empty: rails do not give way.";
     entries.add("Lateral shift", shift, "m").help =
-      "To the right, given in place of the lateral force, which is found.";
+      "Lateral shift to the right, in place of the lateral force, which is "
+      "found for it.";
     entries.add("Yaw", yaw, "rad").help =
-      "Against the radial direction, given in place of the suspension, whose "
-      "moment is found.";
+      "Yaw against the radial direction, in place of the suspension, whose "
+      "moment is found for it.";
   }
 
   void WheelsetParameters::declare_hunting(Entries      &entries,
                                            const Reader &reader)
   {
     entries.add("Mass", hunting.mass, "kg").at_least(0.).read_by(reader).help =
-      "Of the wheelset, for the eigenvalues of its small motions about the "
-      "equilibrium and the speed from which it hunts; 0: they are not asked "
-      "for.";
+      "Mass of the wheelset, for the eigenvalues of its small motions about "
+      "the equilibrium and the speed from which it hunts; 0: neither is "
+      "computed.";
     entries.add("Yaw inertia", hunting.yaw_inertia, "kg m^2")
       .at_least(0.)
       .read_by(reader)
-      .help = "Moment of inertia about the vertical.";
+      .help = "Moment of inertia of the wheelset about the vertical, for "
+              "hunting.";
     entries.add("Axle inertia", hunting.axle_inertia, "kg m^2")
       .at_least(0.)
       .read_by(reader)
-      .help = "Moment of inertia about the axle.";
+      .help = "Moment of inertia of the wheelset about the axle, for hunting.";
     entries.add("Lateral stiffness", hunting.lateral_stiffness, "N/m")
       .at_least(0.)
       .read_by(reader)
-      .help = "Of the suspension between wheelset and frame: about the "
-              "equilibrium of a wheelset, for hunting; of a bogie throughout.";
+      .help = "Lateral stiffness of the suspension between wheelset and "
+              "frame. A single wheelset needs it for hunting about the "
+              "equilibrium, a bogie always.";
     entries.add("Lateral damping", hunting.lateral_damping, "N s/m")
       .at_least(0.)
       .read_by(reader)
-      .help = "Of the suspension, for hunting.";
+      .help = "Lateral damping of the suspension, for hunting.";
     entries.add("Yaw damping", hunting.yaw_damping, "N m s/rad")
       .at_least(0.)
       .read_by(reader)
-      .help = "Of the suspension, for hunting.";
+      .help = "Yaw damping of the suspension, for hunting.";
   }
 
   void WheelsetParameters::declare_bogie(Entries &entries, const Reader &reader)
@@ -157,29 +163,31 @@ namespace RollingContact
       return entries.add(name, value, unit).at_least(0.).read_by(reader);
     };
     add("Secondary yaw stiffness", frame.yaw_stiffness, "N m/rad").help =
-      "Between car body and frame of a bogie about the vertical.";
+      "Stiffness between car body and frame of a bogie about the vertical.";
     add("Frame mass", frame.mass, "kg").help =
-      "Of the frame of a bogie, for hunting.";
+      "Mass of the frame of a bogie, for hunting.";
     add("Frame yaw inertia", frame.yaw_inertia, "kg m^2").help =
-      "Of the frame of a bogie about the vertical, for hunting.";
+      "Moment of inertia of the frame of a bogie about the vertical, for "
+      "hunting.";
     add("Secondary lateral stiffness", frame.lateral_stiffness, "N/m").help =
-      "Between frame and car body, which does not move, for hunting.";
+      "Lateral stiffness between frame and car body, which does not move, for "
+      "hunting.";
     add("Secondary lateral damping", frame.lateral_damping, "N s/m").help =
-      "Between frame and car body, for hunting.";
+      "Lateral damping between frame and car body, for hunting.";
     add("Secondary yaw damping", frame.yaw_damping, "N m s/rad").help =
-      "Between frame and car body, for hunting.";
+      "Yaw damping between frame and car body, for hunting.";
   }
 
   void WheelsetParameters::declare_left_side(Entries &entries)
   {
     entries.add("Left wheel profile", left_wheel_profile).help =
-      "As Profiles/Wheel profile, drawn as that of a right-hand wheel; empty: "
-      "the same.";
+      "Profile of the left wheel, as Profiles/Wheel profile, drawn as that of "
+      "a right-hand wheel; empty: the same as the right one.";
     entries.add("Left rail profile", left_rail_profile).help =
-      "As Profiles/Rail profile, drawn as that of a right-hand rail; empty: "
-      "the same.";
+      "Profile of the left rail, as Profiles/Rail profile, drawn as that of a "
+      "right-hand rail; empty: the same as the right one.";
     entries.add("Left wheel radius", left_wheel_radius, "m").help =
-      "At the tape circle; empty: Wheel/Radius.";
+      "Radius of the left wheel at the tape circle; empty: Wheel/Radius.";
   }
 
   void WheelsetParameters::check() const
@@ -190,8 +198,8 @@ namespace RollingContact
       if (radius * curve_radii.front() < 0.)
         refuse("Curve radius",
                radius,
-               "curves of one run go to the same side; take another run for "
-               "the others.");
+               "all curves of one run must go to the same side; take another "
+               "run for the others.");
     if (!(axle_load > 0.))
       refuse("Axle load", axle_load, "give a load above 0, in N.");
     if (!(std::abs(cant_deficiency) <= 0.5))

@@ -13,9 +13,11 @@ import math
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 import pytest
@@ -32,6 +34,10 @@ COARSE = {"Mesh/Elements across patch": 10, "Mesh/Growth": 0.7}
 COARSER = {"Mesh/Elements across patch": 12, "Mesh/Growth": 0.5}
 LIGHT = {**COARSER, **QUIET}
 
+# options that many tests share
+VALIDATE = ("--validate",)
+RESUME = ("--resume",)
+
 
 def pytest_addoption(parser):
     parser.addoption("--program", default=os.environ.get("ROLLING_CONTACT_PROGRAM", PROJECT / "build/rolling-contact"))
@@ -41,6 +47,14 @@ def pytest_addoption(parser):
 def words(text):
     """A text on one line, however the screen has broken it."""
     return " ".join(text.split())
+
+
+def number(text):
+    """The number that a text is, or the text."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 class Table:
@@ -77,6 +91,17 @@ class Table:
         kept = [k for k, name in enumerate(self.columns) if name not in columns]
         return [[row[k] for k in kept] for row in [self.columns, *self.rows]]
 
+    def records(self, **cells):
+        """Its rows by the names of columns, those that have these cells; what is a number is one."""
+        rows = [{name: number(text) for name, text in zip(self.columns, row)} for row in self.rows]
+        return [row for row in rows if all(row[name] == value for name, value in cells.items())]
+
+    def record(self, **cells):
+        """The one row that has these cells."""
+        found = self.records(**cells)
+        assert len(found) == 1, f"{self.path}: {len(found)} rows have {cells}"
+        return found[0]
+
 
 class Run:
     """What a run has left: exit code, screen, messages and the files of its folder."""
@@ -94,6 +119,17 @@ class Run:
 
     def table(self, name):
         return Table(self.folder / name)
+
+    def text(self, name):
+        return (self.folder / name).read_text(encoding="utf-8")
+
+    def has(self, *names):
+        """All of these files are there and not empty."""
+        return all((self.folder / name).is_file() and (self.folder / name).stat().st_size > 0 for name in names)
+
+    def points(self, name):
+        """The numbers of each line of the data of a picture."""
+        return [tuple(map(float, line.split())) for line in self.text(name).splitlines() if re.match(r"\s*[-+]?[.\d]", line)]
 
     @property
     def results(self):
@@ -191,10 +227,16 @@ class Program:
         assert says in run.messages, run
         return run
 
+    def names(self):
+        """What is in the folder of the test, but for what this class writes."""
+        return sorted(path.name for path in self.folder.iterdir() if not path.name.startswith("."))
+
     def refuses(self, scene, says, *settings, **how):
         """Input that is refused before anything is written."""
+        here = self.names()
         run = self(scene, *settings, code=1, says=says, **how)
         assert not run.folder.exists(), f"{run.folder} was written"
+        assert self.names() == here
         return run
 
     def stop(self):
@@ -211,6 +253,18 @@ def program(request, tmp_path):
     made.stop()
 
 
+@pytest.fixture
+def another_user(program):
+    """As program, in a folder that all may enter, with `before` for a run by one who is not root."""
+    with tempfile.TemporaryDirectory() as folder:
+        os.chmod(folder, 0o755)
+        made = Program(shutil.copy(program.path, folder), program.prm, pathlib.Path(folder))
+        made.path.chmod(0o755)
+        made.before = ("setpriv", "--reuid=65534", "--clear-groups") if os.getuid() == 0 else ()
+        yield made
+        made.stop()
+
+
 @pytest.fixture(scope="module")
 def shared(request, tmp_path_factory):
     """As program, for runs that several tests of a file look at."""
@@ -219,12 +273,53 @@ def shared(request, tmp_path_factory):
     made.stop()
 
 
+def near(value, expected, relative=0.0, absolute=0.0, what=""):
+    """A number is another one but for the sum of two tolerances."""
+    assert abs(value - expected) <= relative * abs(expected) + absolute, f"{what} {value:.9g}, expected {expected:.9g}"
+
+
+def written(run, *names):
+    """Files that are there, and not empty."""
+    for name in names:
+        assert (run / name).is_file() and (run / name).stat().st_size > 0, f"{run.folder} has no {name}"
+
+
+def own_mesh(run):
+    """What a run with a rail from a file says and writes."""
+    assert "are coupled to the interface" in run.screen, run
+    written(run, "results.csv", "bodies.pvd", "rail.vtu", "interface.pvd")
+    summary_has(run, "of mu N (estimate: ")
+
+
+def limited(words):
+    """A run in a shell that sets limits first, as `before`."""
+    return "bash", "-c", f'{words} && exec "$@"', "limited"
+
+
+def kill_and_resume(program, moments, *scene, output, file="checkpoint.bin", begun=lambda run: True, killed=lambda folder: None):
+    """A run that is killed so many seconds after it has begun, each time resumed if there is a file for that, to its end.
+
+    Returns the run and how often it was killed."""
+    for kills, moment in enumerate([*moments, None]):
+        run = program.start(*scene, output=output, options=RESUME if (program.folder / output / file).exists() else ())
+        if moment is not None:
+            run.wait_until(lambda: begun(run))
+            run.wait_until(lambda: False, moment)
+            run.send(signal.SIGKILL)
+        done = run.end()
+        if done.code == 0:
+            break
+        assert moment is not None and done.code == -signal.SIGKILL, done
+        killed(run.folder)
+    return done, kills
+
+
 def summary_has(run, text):
     """The screen tells the error, seconds and memory; the shares of the time add up in run.json."""
     assert text in run.screen, run
     assert re.search(r"^time   [0-9.]+ \w+.*, [0-9.]+ m?s of CPU, [0-9.]+ [MG]B of memory$", run.out, re.M), run
     assert sum(part["cpu_percent"] for part in run.json["phases"]) == 100
-    assert all(error["quantity"] for error in run.json["errors"])
+    assert run.json["errors"] and all(error["quantity"] for error in run.json["errors"])
 
 
 def same_files(run, other, *names):

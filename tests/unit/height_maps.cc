@@ -392,8 +392,8 @@ BOOST_FIXTURE_TEST_CASE(bad_maps_are_refused_by_their_line, Maps)
   refused(sdf.substr(0, sdf.find("\n*\n<Op")), "it ends without a line of *");
   refused(with(sdf, "*\n", "*\nnan "), "line 11: \"nan\" is no finite height");
   refused(with(sdf, "Zscale = 1e-6", "Zscale = 1"),
-          "m about the plane, point 14 along and 8 across, is that of no "
-          "surface");
+          "m about the plane, point 14 along and 8 across, is too large for "
+          "a surface");
   refused(sdf_of({0., 0., 1e-4, 1e-4, 9, 30}, bump), "10 by 4 are the least");
 
   const std::string grid = grid_of(small, bump);

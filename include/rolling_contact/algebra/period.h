@@ -19,18 +19,18 @@ namespace RollingContact::Cycles
   };
 
   /**
-   * The shortest period by which the motion differs from itself by no more than
-   * @p tolerance; else the one, of those looked at, by which it differs least.
-   * The length 0 if none comes near. Looked for up to a twelfth of the samples.
-   * A period of which another that leaves less than twice as much is a part
-   * gives way to that one: a motion that is about to repeat itself has no
-   * period of twice its length.
+   * The shortest period after which the motion differs from itself by no more
+   * than @p tolerance. If there is none, the one with the least difference of
+   * those that were tried; the length is 0 if none comes near. Periods are
+   * tried up to a twelfth of the samples. If a period is a multiple of another
+   * one whose difference is less than twice as large, the shorter one is taken:
+   * a motion that nearly repeats itself does not get twice its period.
    *
    * Candidates are the minima of the mean square difference of all signals to
-   * themselves tau later, by fast Fourier transforms; each is then refined with
-   * longer and longer lags by cubic interpolation between samples. After A. de
-   * Cheveigne and H. Kawahara, J. Acoust. Soc. Am. 111 (2002) 1917-1930, whose
-   * difference function this is for several signals.
+   * themselves tau later, by fast Fourier transforms. Each is then refined with
+   * longer and longer lags by cubic interpolation between samples. The
+   * difference function is that of A. de Cheveigne and H. Kawahara, J. Acoust.
+   * Soc. Am. 111 (2002) 1917-1930, for several signals.
    */
   Period find_period(const SampledMotion       &motion,
                      const std::vector<double> &scales,

@@ -25,10 +25,11 @@ namespace RollingContact
   };
 
   /**
-   * What a study found, points in the order of its methods: the plot of error
-   * against time of the first set with its Pareto front, error_cpu.svg, and for
-   * each set the cheapest method for each error level that is reached, best.csv
-   * and on the screen. @p cost says what the time is of, "state".
+   * Report the results of a study, with points in the order of its methods.
+   * error_cpu.svg plots error against time for the first set, with its Pareto
+   * front. best.csv and the screen show, for each set, the cheapest method for
+   * each error level that is reached. @p cost names what the time is for, such
+   * as "state".
    */
   void report_errors_and_costs(const std::vector<ErrorCostSet> &sets,
                                const std::string               &error,

@@ -24,9 +24,11 @@ namespace RollingContact
    * (containers, batch systems); 0 if unknown. */
   std::size_t available_memory();
 
-  /** What is left within the memory limits of this process's control group and
-   * of those that it is in, of version 1 and 2, in bytes; the largest number if
-   * there are none. */
+  /**
+   * The memory that the limits of this process's control group and of its
+   * parents leave, of version 1 and 2, in bytes; the largest number if there
+   * are no limits.
+   */
   std::size_t
   memory_left_of_groups(const std::string &list_of_groups = "/proc/self/cgroup",
                         const std::string &groups         = "/sys/fs/cgroup");

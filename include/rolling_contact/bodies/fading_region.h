@@ -2,6 +2,7 @@
 #define rolling_contact_bodies_fading_region_h
 
 #include <algorithm>
+#include <limits>
 
 namespace RollingContact
 {
@@ -13,6 +14,14 @@ namespace RollingContact
   struct FadingRegion
   {
     double inner, outer;
+
+    /**
+     * Where the surface of a body may become steep: its tractions are those of
+     * first order in its height up to inner and, with weights that fade like
+     * chi, to here, and those at the surface itself beyond. Infinite where the
+     * surface is nearly plane as far as outer.
+     */
+    double steep_from = std::numeric_limits<double>::infinity();
 
     /** The inner radius over that of the farthest load, at the least. */
     static constexpr double beyond_loads = 1.2;
@@ -35,6 +44,30 @@ namespace RollingContact
     {
       const double t = place(distance);
       return -30 * t * t * (1 - t) * (1 - t) / (outer - inner);
+    }
+
+    /** Whether tractions are those at the surface itself anywhere. */
+    bool may_be_steep() const
+    {
+      return steep_from < outer;
+    }
+
+    /** The weight of tractions to first order. */
+    FadingRegion first_order() const
+    {
+      return {inner, may_be_steep() ? steep_from : outer};
+    }
+
+    /** Its value at a distance. */
+    double first_order_at(const double distance) const
+    {
+      return may_be_steep() ? first_order().at(distance) : 1.;
+    }
+
+    /** Its derivative along the distance. Units: 1/m. */
+    double first_order_slope(const double distance) const
+    {
+      return may_be_steep() ? first_order().slope(distance) : 0.;
     }
 
   private:

@@ -32,8 +32,8 @@ namespace RollingContact
   };
 
   /**
-   * What an evolution of profiles is told by: results.csv with a row for each
-   * step and side, duty.csv with one for each row of the duty at each step, a
+   * The output of an evolution of profiles: results.csv with a row for each
+   * step and side, duty.csv with a row for each row of the duty at each step, a
    * file of each profile at each step, a film of them, and evolution.svg.
    */
   class EvolutionReport

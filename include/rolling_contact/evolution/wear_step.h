@@ -18,13 +18,13 @@ namespace RollingContact
   /**
    * A step of the wear of profiles under a duty,
    *
-   *   h(s) = sum_j w_j L D_j p_j(h),
+   *     h(s) = sum_j w_j L D_j p_j(h),
    *
-   * with D_j the wear of row j over its pressure as it is at the beginning:
-   * implicit in the pressures, each of which is that of a contact with a
-   * compliance added, see WearingContact::depths_at_end(), so that any step is
-   * stable. Of order 1; two half steps give its error, and with the whole one
-   * extrapolated order 2.
+   * with D_j the wear of row j over its pressure, both at the beginning of the
+   * step. The step is implicit in the pressures, so that any length is stable:
+   * each p_j is the pressure of a contact with a compliance added, see
+   * WearingContact::depths_at_end(). The order is 1. Two half steps give the
+   * error; extrapolation from them and the whole step gives order 2.
    */
   class WearStep
   {

@@ -8,11 +8,12 @@
 namespace RollingContact::Fmu
 {
   /**
-   * What a vehicle gives: shift of the wheelset to the right, yaw against the
-   * radial direction, right-handed about the vertical downwards, their rates,
-   * angular velocity about the axle (negative forwards), speed at the middle of
-   * the track, curvature (positive to the right), friction coefficient, loads
-   * of both wheels, and where the rails have gone to the right and down.
+   * The inputs that a vehicle gives: shift of the wheelset to the right; yaw
+   * against the radial direction, right-handed about the vertical downwards;
+   * the rates of both; angular velocity about the axle (negative forwards);
+   * speed at the middle of the track; curvature (positive to the right);
+   * friction coefficient; loads of both wheels; displacements of both rails to
+   * the right and down.
    */
   enum Input : std::size_t
   {
@@ -37,9 +38,10 @@ namespace RollingContact::Fmu
   using Inputs = std::array<double, n_inputs>;
 
   /**
-   * What a wheel answers: force and moment on it about the centre of the
-   * wheelset, in the axes of the track, and more as in Quantity, the place
-   * across from the middle of the track, lateral force over load.
+   * The outputs of a wheel: force and moment on it about the centre of the
+   * wheelset, in the axes of the track, and the other values of Quantity, with
+   * the place across counted from the middle of the track; lateral force over
+   * load.
    */
   struct WheelOutputs
   {

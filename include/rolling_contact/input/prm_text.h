@@ -28,15 +28,16 @@ namespace RollingContact
   };
 
   /**
-   * A .prm file with those that it includes, without what deal.II's reader
-   * does: it follows `include` without end, takes any value with a '{' and the
-   * last of entries given twice. Included files are relative to the folder of
-   * the file that includes them; they may be overridden, but one file gives an
-   * entry once. Throws InputError naming the
-   * file, and the line where there is one, if it or a file it includes cannot
-   * be read, is no regular file, is larger than 16 MiB, holds bytes that are no
-   * text, a line that is none of a .prm file, a '{' in an entry, an entry twice
-   * or a section that is not ended, or if there are more than 100 inclusions.
+   * Read a .prm file and the files that it includes. Unlike deal.II's reader
+   * this does not follow `include` without end, and it takes no value with a
+   * '{' and no entry twice in one file. Included files are relative to the
+   * folder of the file that includes them, which may override their entries.
+   *
+   * Throws InputError naming the file, and the line if there is one, if a file
+   * cannot be read, is no regular file, is larger than 16 MiB or holds bytes
+   * that are no text; if a line is none of a .prm file, an entry has a '{' or
+   * is given twice, or a section is not ended; and if there are more than 100
+   * inclusions.
    */
   PrmText read_prm(const std::filesystem::path &file);
 

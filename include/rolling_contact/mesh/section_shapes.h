@@ -24,6 +24,12 @@ namespace RollingContact
      */
     std::array<double, 2> room_across() const override;
 
+    /**
+     * Distance to where the running surface is steep, as the corner of a rail
+     * or the root of a flange, or ends.
+     */
+    double distance_to_edge() const override;
+
     bool is_swept() const override
     {
       return true;

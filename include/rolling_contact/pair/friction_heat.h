@@ -58,13 +58,14 @@ namespace RollingContact
   };
 
   /**
-   * What the bodies take of a friction power (W), by their effusivities e, and
-   * what the hotter gives the colder while they touch,
+   * The shares of a friction power (W) that flow into both bodies, by their
+   * effusivities e, and the heat that flows from the hotter body into the
+   * colder one while they touch,
    *
-   *   2 e_w e_r/(e_w + e_r) (T_w - T_r) sqrt(V/pi) sum of width sqrt(length),
+   *     2 e_w e_r/(e_w + e_r) (T_w - T_r) sqrt(V/pi) sum of width sqrt(length).
    *
-   * over the lines of flow that touch, from end to end, each as wide as its
-   * nodes' areas say.
+   * The sum is over the lines of flow that touch, from end to end; the areas of
+   * the nodes give their widths.
    */
   HeatFlows heat_flows(const PairSpec       &scene,
                        const ContactProblem &problem,

@@ -7,12 +7,12 @@
 namespace RollingContact
 {
   /**
-   * Where nodes at these places (x, s) of the surface of contact are, and their
-   * normals, between those of the rail and of the wheel that faces it as the
-   * softness of both divides them: the surfaces come to lie on each other
-   * there, and a body that moves across finds the other at that slope. Beyond
-   * the end of the rail it goes on in its plane. Without nodes where the
-   * surface of contact is plane, and for bodies without profiles.
+   * The positions and normals of nodes at these places (x, s) of the surface of
+   * contact. They lie between those of the rail and of the wheel that faces it,
+   * divided by the softness of both, where the surfaces meet under load. A body
+   * that moves across finds the other body at that slope. Beyond the end of the
+   * rail the surface goes on in its plane. Empty where the surface of contact
+   * is plane, and for bodies without profiles.
    */
   SurfaceFrames surface_frames(const PairSpec                    &scene,
                                const ContactOperators::Positions &at);

@@ -69,12 +69,12 @@ namespace RollingContact
   };
 
   /**
-   * The bounds of what is known without a solution: c / n^p as measured by
-   * tests/campaigns/error_bounds, n the elements across the patch in the
-   * direction of rolling, with what adds to them: thin bodies, materials that
+   * Bounds of the error that follow without a solution: c / n^p, measured by
+   * tests/campaigns/error_bounds, with n elements across the patch in the
+   * rolling direction. Additions account for thin bodies, materials that
    * differ, surfaces with waves, long elements, the growth of the mesh, the
-   * residual of the solver, edges of the patch that did not settle or that the
-   * edge law left to upwind 2, and little friction.
+   * residual of the solver, little friction, and edges of the patch that did
+   * not settle or at which upwind 2 took the place of the edge law.
    */
   ErrorBounds error_bounds(const BoundCircumstances &found);
 

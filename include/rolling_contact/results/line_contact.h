@@ -12,11 +12,11 @@
 namespace RollingContact
 {
   /**
-   * What a line contact of finite length carries in its middle and at its ends.
-   * The pressure at an end that is no crown's grows without limit as elements
-   * become smaller, as r^-0.226 with the distance r from the end of a narrow
-   * body with square ends on a wide one; the load over a stated length and the
-   * pressure at a stated distance do not.
+   * The pressure of a line contact of finite length in its middle and at its
+   * ends. At an end without a crown the pressure grows without limit as
+   * elements become smaller: as r^-0.226 with the distance r from the end, for
+   * a narrow body with square ends on a wide one. The load over a stated length
+   * and the pressure at a stated distance have limits.
    */
   struct LineContact
   {

@@ -29,14 +29,16 @@ namespace RollingContact
     };
 
     /**
-     * The drop at y from the middle, q = load/L:
-     *   q/(pi E*) ln(1/(1 - c (2 y/L)^2)),
-     * with c = 1 the crown of Lundberg (1939), whose pressure is the same all
-     * along, and with c = 1 - 0.3033 (2 b/L) that of Johns and Gohar (1981),
-     * which is finite at the ends. In the last thousandth of the half-length
-     * that of Lundberg has the drop of its beginning, as it is infinite at the
-     * end. A crown with a length of its own falls along its tangent beyond, as
-     * a chamfer does.
+     * The drop at y from the middle, with q = load/L:
+     *
+     *     q/(pi E*) ln(1/(1 - c (2 y/L)^2)).
+     *
+     * The crown of Lundberg (1939) has c = 1; its pressure is the same along
+     * the whole length. The crown of Johns and Gohar (1981) has c = 1 - 0.3033
+     * (2 b/L) and is finite at the ends. Lundberg's drop is infinite at the
+     * end, so that its last thousandth of the half-length has the drop where
+     * that part begins. A crown whose own length is given goes on along its
+     * tangent beyond, as a chamfer does.
      */
     double drop(const double y, const Roller &roller) const;
 

@@ -9,14 +9,14 @@
 namespace RollingContact::Profiles
 {
   /**
-   * What about measured points is allowed but hardly meant, a sentence each for
-   * a warning: a profile that is much too narrow for a wheel or the head of a
-   * rail (another unit, or its columns exchanged), a wheel whose flange is not
-   * where it is from a tape circle at y = 0, stretches without points that the
-   * smoothing spline of profile_of_points() bridges by itself, and points that
-   * scatter by 12 um or more; of a grooved rail that its keeper is left out.
-   * The points are in the order of the file, mirrored as its entry says, in m;
-   * @p name is that of messages.
+   * Warnings about measured points that are allowed but probably wrong, a
+   * sentence each: a profile much too narrow for a wheel or the head of a rail
+   * (another unit, or exchanged columns); a wheel whose flange is not at its
+   * usual distance from a tape circle at y = 0; stretches without points, which
+   * the smoothing spline of profile_of_points() bridges; points that scatter by
+   * 12 um or more; a grooved rail, whose keeper is left out. The points are in
+   * the order of the file, mirrored as its entry says, in m. Messages call the
+   * profile @p name.
    */
   std::vector<std::string>
   doubts_of_points(const std::vector<MeasuredPoint> &points,

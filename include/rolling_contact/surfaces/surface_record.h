@@ -84,7 +84,7 @@ namespace RollingContact
   /** What read_surface_record() takes, for messages and help. */
   inline constexpr char kinds_of_surface_files[] =
     "a file, FILE.csv or table: FILE column (a line), FILE.sdf, grid: FILE or "
-    "FILE.h5:/DATASET (a map; in front of it mirrored: or middle line:)";
+    "FILE.h5:/DATASET (a map; mirrored: or middle line: may stand in front)";
 
   /**
    * Read the file that the text of an entry names, relative to @p folder.

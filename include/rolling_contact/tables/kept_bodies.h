@@ -7,8 +7,8 @@
 namespace RollingContact
 {
   /**
-   * What a state demands whose bodies are kept for others: an exact compliance,
-   * so that nothing of the bodies is asked for when they are solved.
+   * The demands of a state whose bodies are kept for other states: an exact
+   * compliance. Contact solves then ask nothing more of the bodies.
    */
   StateDemands demands_of_kept_bodies();
 

@@ -23,9 +23,10 @@ namespace RollingContact
   {
   public:
     /**
-     * What would be said while bodies are made goes to @p log, which must
-     * outlive this; nowhere without. @p smallest: least size of an element over
-     * that of a mesh of its own, and the other way round.
+     * Messages from the making of bodies go to @p log, which must outlive this;
+     * without a log there are none. A kept mesh serves if its elements are from
+     * @p smallest to 1 / @p smallest times as large as those of a mesh made for
+     * the state.
      */
     explicit KeptStates(std::ostream   *log       = nullptr,
                         const Verbosity verbosity = Verbosity::quiet,

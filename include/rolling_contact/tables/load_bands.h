@@ -8,10 +8,10 @@
 namespace RollingContact
 {
   /**
-   * States whose patches are so alike in size that one mesh serves them all: it
-   * is made for the largest one, with as many elements more as the smallest
-   * needs to have those that the scene asks for, and in all places where
-   * profiles touch.
+   * States whose patches are so similar in size that one mesh serves them all.
+   * The mesh is made for the largest patch, and in all places where profiles
+   * touch. It has so many more elements that the smallest patch, too, has as
+   * many as the scene asks for.
    */
   struct LoadBand
   {

@@ -48,19 +48,21 @@ namespace RollingContact
 
   /**
    * A scene whose steady states are solved one after the other, for programs
-   * that call the library: entries are changed by name, and bodies, condensed
-   * to the contact nodes, are kept between calls as long as they serve, so that
-   * a further load, creepage or friction takes milliseconds. Each state starts
-   * from the last one on its bodies. Bodies are made again, and four sets of
-   * them kept, where an entry outside of section Contact differs, where the
-   * flow turns round, where there is friction in place of none, where the
-   * elements of the estimated patch would be less than 0.9 or more than 1/0.9
-   * times those that the mesh was made with, or where a patch is outside of its
-   * zone. Where profiles touch is no matter of the bodies unless they have the
-   * sections of these. Writes no files; several sessions in a
-   * process do not know of each other, and one may be used by one thread at a
-   * time. BLAS should have one thread, see use_one_solver_thread(). For one
-   * rank.
+   * that call the library. Entries are changed by name. Bodies, condensed to
+   * the contact nodes, are kept between calls, so that another load, creepage
+   * or friction takes milliseconds. Each state starts from the last one on its
+   * bodies.
+   *
+   * New bodies are made, and up to four sets of them are kept, if an entry
+   * outside of section Contact changes, if the flow turns round, if friction
+   * replaces none, if the estimated patch would have less than 0.9 or more than
+   * 1/0.9 times the elements that the mesh was made with, or if a patch lies
+   * outside of its zone. The place where profiles touch needs new bodies only
+   * if the bodies have the sections of the profiles.
+   *
+   * A session writes no files. Several sessions of a process are independent;
+   * only one thread at a time may use each. BLAS should have one thread, see
+   * use_one_solver_thread(). For one rank.
    */
   class Session
   {

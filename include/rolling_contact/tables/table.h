@@ -38,8 +38,8 @@ namespace RollingContact
 
   protected:
     /**
-     * What a row has of a state that is solved, besides that of the state
-     * itself. Several threads call it.
+     * Add the columns of this analysis to the row of a state that is solved;
+     * those of the state itself are there already. Several threads call this.
      */
     virtual void add_columns(const Situation &,
                              const SteadyState<dim> &,

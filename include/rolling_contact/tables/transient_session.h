@@ -13,10 +13,11 @@
 namespace RollingContact
 {
   /**
-   * What drives a time step from outside: values at its end, on the way to
-   * which they are given by BetweenValues. What is left empty stays what it was
-   * given last or, before that, follows the scene's history. A force takes the
-   * place of its creepage and the other way round. Units: SI.
+   * The inputs of a time step from outside: values at the end of the step.
+   * BetweenValues says what they are on the way there. A value that is left
+   * empty stays as it was given last; if it was never given, it follows the
+   * history of the scene. A force takes the place of its creepage, and a
+   * creepage that of its force. Units: SI.
    */
   struct StepInputs
   {

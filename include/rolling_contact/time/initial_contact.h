@@ -15,9 +15,10 @@
 namespace RollingContact
 {
   /**
-   * What a vibration changes in a state in time of reduced bodies: that of a
-   * steady state, or how a state is off its steady state, to begin another run
-   * with, which a limit cycle hands on to the next.
+   * The difference that a vibration makes to a state in time of reduced bodies.
+   * It is that of a vibration about a steady state, or the difference of a
+   * given state from its steady state, with which another run begins. A limit
+   * cycle hands the latter on to the next run.
    */
   struct Disturbance
   {

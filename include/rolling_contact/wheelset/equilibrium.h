@@ -66,8 +66,8 @@ namespace RollingContact
     bool solve(const CurveCase &acting, const WheelsetState &start);
 
     /**
-     * By bracketing the shift from that of the start, up to @p farthest (m)
-     * away.
+     * Find the equilibrium by bracketing the shift, from the shift of the start
+     * up to @p farthest (m) away.
      */
     bool bracket(const CurveCase     &acting,
                  const WheelsetState &start,
