@@ -52,6 +52,13 @@ namespace RollingContact
     const double of_second_order_in_curvature = 1. / 3;
 
     /**
+     * Factor of the errors where the fading region passes edges of true
+     * sections: forces on 24 to 40 elements differed from those of finite
+     * elements by up to twice the error without it.
+     */
+    const double beyond_edges = 2.5;
+
+    /**
      * Elements alike around the contact point and larger ones beyond, which do
      * not know the patch.
      */
@@ -278,8 +285,9 @@ namespace RollingContact
       for (std::size_t l = 0; l < all.size(); ++l)
         if (all[k].degree() < 2 && all[l].degree() < 2)
           highest(k, l) = 0.;
-    const auto work = [&](const DenseMatrix &of_moments) {
-      return DenseMatrix(moments.transpose() * of_moments * moments);
+    const double factor = fading.may_be_steep() ? beyond_edges : 1.;
+    const auto   work   = [&](const DenseMatrix &of_moments) {
+      return DenseMatrix(factor * moments.transpose() * of_moments * moments);
     };
     return {work(change),
             work(NodeGrid(positions).farthest / fading.outer * highest),
