@@ -126,8 +126,8 @@ namespace RollingContact
       "patch mean where vibrations are analysed (Analysis = stability and "
       "others) and with Time/Bodies = reduced, else node.";
     entries.add("Friction memory", friction_memory, "s").at_least(0.).help =
-      "Delay of Friction response = patch mean. A time step may be at most a "
-      "tenth of it.";
+      "Delay of Friction response = `patch mean`. A time step may be at most "
+      "a tenth of it.";
     entries.add("Friction over temperature", friction_over_temperature).help =
       "How mu depends on the temperature of the surfaces in a steady state: "
       "temperatures in K, each with the share of mu there, such as 293: 1, "
