@@ -41,7 +41,7 @@ REFUSED = [
     ("wheel_modes", "Receptance/Frequencies per octave = 100000000: give a whole number from 1 to 1000.",
      {"Analysis": "receptance", "Receptance/Frequencies per octave": 100000000}),
     (CURVE, "Load curve/Shares of load = 0.1; 1: '0.1; 1' is not a number", {**LOADS, "Load curve/Shares of load": "0.1; 1"}),
-    (CURVE, "Load curve/Shares of load contains 0, which", {**LOADS, "Load curve/Shares of load": "0 : 1 : 3"}),
+    (CURVE, "Load curve/Shares of load contains 0: give shares above 0 and at most 1", {**LOADS, "Load curve/Shares of load": "0 : 1 : 3"}),
 ]
 NOT_VALID = [
     (DISCS, "Contact/Normal load = -5", {"Contact/Approach": "", "Contact/Normal load": -5}),

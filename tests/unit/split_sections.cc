@@ -153,8 +153,8 @@ BOOST_AUTO_TEST_CASE(forces_are_those_of_finite_elements)
   BOOST_TEST(one.max_pressure == other.max_pressure,
              boost::test_tools::tolerance(8e-3));
   const double bulk = split.steady.estimate->bulk->force / mu_N;
-  BOOST_TEST(bulk > 5e-4);
-  BOOST_TEST(bulk < 4e-3);
+  BOOST_TEST(bulk > 3.5e-3); // what 24 finite elements differ by
+  BOOST_TEST(bulk < 6e-3);
 }
 
 namespace
