@@ -1,6 +1,7 @@
 #include <rolling_contact/base/collective_failure.h>
 #include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/mpi_start.h>
+#include <rolling_contact/base/platform.h>
 #include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/relayed_exception.h>
 
@@ -160,6 +161,11 @@ namespace RollingContact
       if (is_on())
         MPI_Comm_size(MPI_COMM_WORLD, &size);
       return size;
+    }
+
+    unsigned int cpus_of_each()
+    {
+      return std::max(1u, n_host_cpus() / count());
     }
 
     unsigned int rank()

@@ -57,9 +57,6 @@ namespace RollingContact
         MPI_Win_free(&window);
       }
 
-      Counter(const Counter &)            = delete;
-      Counter &operator=(const Counter &) = delete;
-
       /** Add to the count of the root, and return what it was before. */
       long add(const long number)
       {

@@ -40,9 +40,8 @@ namespace RollingContact
 
   unsigned int WearStep::n_threads() const
   {
-    const unsigned int most = section.threads > 0
-                                ? section.threads
-                                : std::max(1u, n_host_cpus() / Ranks::count());
+    const unsigned int most =
+      section.threads > 0 ? section.threads : Ranks::cpus_of_each();
     const std::size_t own = (rows.size() + Ranks::count() - 1) / Ranks::count();
     return std::min<std::size_t>(most, own);
   }

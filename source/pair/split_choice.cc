@@ -77,6 +77,17 @@ namespace RollingContact
     }
 
     /**
+     * How far nodes that may touch are from the contact point, along x and
+     * across. Units: m.
+     */
+    template <int dim>
+    std::array<double, 2> reach_of_nodes(const Grading<dim> &grading)
+    {
+      const auto along = grading.zone_along(), across = grading.zone_across();
+      return {{std::max(-along[0], along[1]), std::max(-across[0], across[1])}};
+    }
+
+    /**
      * Whether the program meshes the section under a profile.
      */
     bool is_true_section(const BodyShape &shape)
@@ -119,32 +130,30 @@ namespace RollingContact
     }
 
     /**
-     * 1/R along x and across, from the heights of a circle, -r^2 / (2 R), at
-     * these distances. Units: 1/m.
+     * r/R for distances r along x and across, the larger one, from the heights
+     * of a circle, -r^2 / (2 R).
      */
-    std::array<double, 2> curvatures_of(const BodyShape             &shape,
-                                        const std::array<double, 2> &r)
+    double over_radii(const BodyShape &shape, const std::array<double, 2> &r)
     {
-      return {{-2 * shape.surface_height(r[0], 0.) / (r[0] * r[0]),
-               -2 * shape.surface_height(0., r[1]) / (r[1] * r[1])}};
+      return std::max(2 * std::abs(shape.surface_height(r[0], 0.)) / r[0],
+                      2 * std::abs(shape.surface_height(0., r[1])) / r[1]);
     }
 
     /**
-     * What speaks against one body whose nodes may touch as far away as this,
-     * along x and across, and in all.
+     * What speaks against one body.
      */
-    std::string reason_of_body(const BodySpec              &body,
-                               const std::array<double, 2> &reach,
-                               const double                 farthest)
+    template <int dim>
+    std::string reason_of_body(const BodySpec     &body,
+                               const Grading<dim> &grading)
     {
-      const auto shape      = body.body_shape();
-      const bool is_section = is_true_section(*shape);
+      const double farthest   = farthest_node(grading);
+      const auto   shape      = body.body_shape();
+      const bool   is_section = is_true_section(*shape);
       if (!(shape->distance_to_edge() > 0.))
         return "the " + body.section +
-               "'s mesh is from a file, or its section "
-               "under a profile";
+               " has a mesh, or under a profile a section, from a file";
       const FadingRegion fading = fading_region(*shape, farthest);
-      if (fading.loads_end() < farthest && fading.inner == largest_inner)
+      if (is_section && farthest > largest_inner / FadingRegion::beyond_loads)
         return "the patch is large for the section of the " + body.section;
       if (fading.loads_end() < farthest)
         return "nodes that may touch are up to " +
@@ -156,30 +165,16 @@ namespace RollingContact
                              fading.loads_end(),
                            3) +
                " mm are needed";
-      const auto curvatures =
-        curvatures_of(*shape,
-                      is_section ? reach
-                                 : std::array<double, 2>{{farthest, farthest}});
-      if (!is_section && (curvatures[0] < 0. || curvatures[1] < 0.))
+      if (!is_section && (shape->surface_height(farthest, 0.) > 0. ||
+                          shape->surface_height(0., farthest) > 0.))
         return "the surface of the " + body.section + " is concave";
-      const double over_radius =
-        is_section ? std::max(std::abs(curvatures[0]) * reach[0],
-                              std::abs(curvatures[1]) * reach[1])
-                   : std::max(curvatures[0], curvatures[1]) * farthest;
-      if (over_radius > (is_section ? largest_of_section : largest_curvature))
-        return "the patch is large for the radii of the " + body.section;
-      return "";
-    }
-
-    /**
-     * How far nodes that may touch are from the contact point, along x and
-     * across. Units: m.
-     */
-    template <int dim>
-    std::array<double, 2> reach_of_nodes(const Grading<dim> &grading)
-    {
-      const auto along = grading.zone_along(), across = grading.zone_across();
-      return {{std::max(-along[0], along[1]), std::max(-across[0], across[1])}};
+      const bool is_large =
+        is_section
+          ? over_radii(*shape, reach_of_nodes(grading)) > largest_of_section
+          : over_radii(*shape, {{farthest, farthest}}) > largest_curvature;
+      return is_large
+               ? "the patch is large for the radii of the " + body.section
+               : "";
     }
 
     /**
@@ -193,23 +188,21 @@ namespace RollingContact
     {
       if (std::abs(pair_constants(scene).dundurs_beta) > largest_beta)
         return "the materials are unlike";
-      const double half_width  = std::abs(grading.leading_edge_x);
-      double       over_radius = 0.;
-      bool         is_section  = false;
+      const bool is_section  = scene.profiles.has_true_sections();
+      double     over_radius = 0.;
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid)
           {
-            const auto shape = body->body_shape();
-            is_section       = is_section || is_true_section(*shape);
-            const std::array<double, 2> half_widths{
-              {half_width,
-               is_true_section(*shape)
-                 ? half_width * grading.element_size_y / grading.element_size_x
-                 : half_width}};
-            const auto found = curvatures_of(*shape, half_widths);
-            for (const unsigned int d : {0u, 1u})
-              over_radius =
-                std::max(over_radius, std::abs(found[d]) * half_widths[d]);
+            const auto   shape      = body->body_shape();
+            const double half_width = std::abs(grading.leading_edge_x),
+                         shape_of_elements =
+                           grading.element_size_y / grading.element_size_x;
+            over_radius =
+              std::max(over_radius,
+                       over_radii(*shape,
+                                  {{half_width,
+                                    half_width *
+                                      (is_section ? shape_of_elements : 1.)}}));
           }
       const double error = of_elements / std::pow(grading.elements_across(), 2);
       if (of_curvature * over_radius > error)
@@ -248,9 +241,7 @@ namespace RollingContact
         return "the surface of contact between true sections is curved";
       for (const BodySpec *body : {&scene.wheel, &scene.rail})
         if (!body->rigid && scene.mesh.compliance != Compliance::half_spaces)
-          if (const std::string reason = reason_of_body(*body,
-                                                        reach_of_nodes(grading),
-                                                        farthest_node(grading));
+          if (const std::string reason = reason_of_body(*body, grading);
               !reason.empty())
             return reason;
       return "";

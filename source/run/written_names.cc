@@ -90,20 +90,13 @@ namespace RollingContact
   std::optional<unsigned int> rank_of_file(const std::string &name,
                                            const std::string &file)
   {
-    const std::size_t dot   = name.rfind('.');
-    const std::string begin = name.substr(0, dot) + "_rank_",
-                      end   = name.substr(dot);
-    if (file.size() <= begin.size() + end.size() || file.find(begin) != 0)
+    const std::size_t dot = name.rfind('.');
+    const std::regex  form(name.substr(0, dot) + "_rank_([1-9][0-9]{0,8})\\" +
+                          name.substr(dot));
+    std::smatch       found;
+    if (!std::regex_match(file, found, form))
       return {};
-    const std::string digits =
-      file.substr(begin.size(), file.size() - begin.size() - end.size());
-    const std::size_t most   = 9;
-    const auto        number = number_of(digits);
-    if (!number || digits.size() > most ||
-        digits.find_first_not_of("0123456789") != std::string::npos ||
-        rank_file_name(name, static_cast<unsigned int>(*number)) != file)
-      return {};
-    return static_cast<unsigned int>(*number);
+    return static_cast<unsigned int>(*number_of(found[1].str()));
   }
 
   std::vector<std::string> files_of_ranks(const std::filesystem::path &folder,

@@ -1,9 +1,11 @@
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/base/ranks.h>
 #include <rolling_contact/base/text.h>
 #include <rolling_contact/tables/rows_of_ranks.h>
 #include <rolling_contact/tables/table_rows.h>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace RollingContact
@@ -31,14 +33,25 @@ namespace RollingContact
   {
     if (n_ranks == 1)
       return;
-    Ranks::on_root([&]() { take_rows(plan); });
+    const std::size_t own =
+      Ranks::is_root() ? of_run.results.n_rows() - n_before : own_rows.n_rows();
+    const double n_solved = Ranks::sum(static_cast<double>(own));
+    Ranks::on_root([&]() { take_rows(plan, n_solved); });
     take_warnings();
   }
 
-  void RowsOfRanks::take_rows(const TablePlan &plan)
+  void RowsOfRanks::take_rows(const TablePlan &plan, const double n_solved)
   {
     std::vector<std::size_t> shares{of_run.results.n_rows() - n_before};
     add_rows_of_ranks(plan, of_run, shares);
+    const auto n_found =
+      std::accumulate(shares.begin(), shares.end(), std::size_t(0));
+    if (static_cast<double>(n_found) < n_solved)
+      throw InputError("Of " + significant(n_solved, 12) +
+                       " states that ranks have solved, " +
+                       std::to_string(n_found) + " are in \"" +
+                       of_run.folder.get_path().string() +
+                       "\". Give --output a folder that all machines share.");
     shares.resize(n_ranks, 0);
     fewest = *std::min_element(shares.begin(), shares.end());
     most   = *std::max_element(shares.begin(), shares.end());

@@ -37,9 +37,8 @@ namespace RollingContact
     , context(rows_of_ranks.context())
     , plan(plan_table(scene, states))
     , part(scene.inputs->table.part())
-    , n_threads(scene.inputs->table.threads > 0
-                  ? scene.inputs->table.threads
-                  : std::max(1u, n_host_cpus() / n_ranks))
+    , n_threads(scene.inputs->table.threads > 0 ? scene.inputs->table.threads
+                                                : Ranks::cpus_of_each())
     , has_row(plan.values.size(), false)
   {}
 

@@ -203,10 +203,7 @@ namespace RollingContact
         refuse("is of another scene: " + *entry +
                " differs from that of this one.");
     }
-  } // namespace
 
-  namespace
-  {
     [[noreturn]] void refuse_to_resume(const RunContext  &context,
                                        const std::string &file,
                                        const std::size_t  row)

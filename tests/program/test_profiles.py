@@ -65,8 +65,7 @@ def test_the_left_wheel_is_the_mirror_image(left, right):
 
 def lines_across(run):
     """Lines of nodes across, a dictionary each."""
-    table = run.table("across.csv")
-    return [dict(zip(table.columns, map(float, row))) for row in table.rows]
+    return run.table("across.csv").records()
 
 
 @pytest.mark.parametrize("side", ["right", "left"])

@@ -7,7 +7,7 @@ import re
 import statistics
 
 import pytest
-from conftest import Table, near, summary_has
+from conftest import near, summary_has
 
 SMALL = {"Accuracy study/Offsets": 2, "Mesh/Growth": 1}
 
@@ -36,17 +36,6 @@ def flat(shared):
         "Accuracy study/Creepages over saturation": "0.3, 0.7", "Accuracy study/Adaptive levels": 1})
 
 
-def rows(run, name):
-    """Rows of a table as dictionaries, whose numbers are numbers."""
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    table = Table(run / name)
-    return [dict(zip(table.columns, map(value, row))) for row in table.rows]
-
-
 def test_methods_of_a_study(flat):
     methods = flat.table("methods.csv")
     assert len(methods) == 14
@@ -56,7 +45,7 @@ def test_methods_of_a_study(flat):
 
 
 def test_each_state_names_the_operator_it_was_solved_with(flat):
-    operators = {(row["operator"], row["slip_operator"]) for row in rows(flat, "results.csv")}
+    operators = {(row["operator"], row["slip_operator"]) for row in flat.table("results.csv").records()}
     assert len(operators) == 4
     assert all(solved == ("galerkin" if operator == "paper" else operator) for operator, solved in operators)
 
@@ -76,7 +65,7 @@ def states_of(row, states):
 
 
 def test_the_summary_is_that_of_the_states(flat):
-    states, summary = rows(flat, "results.csv"), rows(flat, "summary.csv")
+    states, summary = flat.table("results.csv").records(), flat.table("summary.csv").records()
     assert sum(row["states"] for row in summary) >= 10
     for row in summary:
         own = states_of(row, states)
@@ -104,7 +93,7 @@ def test_the_summary_is_that_of_the_states(flat):
 
 
 def test_the_order_of_a_method_is_that_of_its_errors(flat):
-    summary, n_orders = rows(flat, "summary.csv"), 0
+    summary, n_orders = flat.table("summary.csv").records(), 0
     for row in summary:
         coarser = [it["force_error_mean"] for it in summary
                    if list(it.values())[:5] == list(row.values())[:5] and 2 * it["elements"] == row["elements"]]
@@ -117,7 +106,7 @@ def test_the_order_of_a_method_is_that_of_its_errors(flat):
 
 
 def test_methods_are_means_of_the_summary(flat):
-    summary, methods = rows(flat, "summary.csv"), rows(flat, "methods.csv")
+    summary, methods = flat.table("summary.csv").records(), flat.table("methods.csv").records()
     for row in methods:
         operator, *others = row["method"].split(", ")
         own = [it for it in summary if it["slip_operator"] == operator and it["elements"] == row["elements"]
@@ -147,7 +136,7 @@ def test_a_study_in_time(program):
         "Mesh/Growth": 0.5, "Mesh/Elements across patch": 12, "Time/End time": 64e-6, "Accuracy study/Time steps": "4e-6, 8e-6",
         "Accuracy study/Thetas": "0.5, 1", "Accuracy study/Reference time step": 2e-6})
     errors = collections.defaultdict(list)
-    for row in rows(run, "summary.csv"):
+    for row in run.table("summary.csv").records():
         near(row["cpu_set_up_s"] + row["cpu_steps_s"], row["cpu_s"], 0, 1e-6)
         near(row["time_step_s"] * row["steps"], 64e-6, 0, 1e-9)
         assert row["iterations_per_step"] >= 1
@@ -165,7 +154,7 @@ def test_a_state_that_is_not_solved_is_counted(program):
         "Accuracy study/Elements across patch": 10, "Accuracy study/Reference elements across patch": 32,
         "Accuracy study/Creepages over saturation": 0.5, "Accuracy study/Slip operators": "calibrated",
         "Accuracy study/Meshes": "uniform", "Accuracy study/Solvers": "automatic, fixed point", "Contact/Maximal iterations": 100})
-    assert [row["not_converged"] for row in rows(run, "methods.csv") if "fixed point" in row["method"]] == [2]
+    assert [row["not_converged"] for row in run.table("methods.csv").records() if "fixed point" in row["method"]] == [2]
 
 
 @pytest.mark.parametrize("scene, entry, value, says", [

@@ -20,6 +20,7 @@
 #include <rolling_contact/run/written_names.h>
 #include <rolling_contact/solvers/contact_solver.h>
 #include <rolling_contact/solvers/force_control.h>
+#include <rolling_contact/tables/rows_of_ranks.h>
 #include <rolling_contact/time/checkpoint.h>
 
 #include <algorithm>
@@ -441,6 +442,37 @@ BOOST_AUTO_TEST_CASE(rows_that_a_rank_keeps)
   BOOST_TEST(!fs::exists(shared.folder / own));
   BOOST_TEST(!contains(read(shared.folder / "run.json"), own));
   Ranks::sum(0.);
+}
+
+/** A rank on another machine may have written to a folder of the same name. */
+BOOST_AUTO_TEST_CASE(rows_that_the_root_does_not_see_are_missed)
+{
+  const SharedFolder shared;
+  const bool         many = Ranks::count() > 1;
+  RunFolder          run(shared.folder, "a", "b");
+  run.open();
+  ResultsTable results(run);
+  RunReport    report;
+  PhaseTimer   timer;
+  Log          log(Verbosity::quiet);
+  RunContext   context{run, results, report, timer, log};
+  RowsOfRanks  rows(context);
+  rows.claim();
+  Ranks::sum(0.);
+  const bool keeps = many && Ranks::rank() == last();
+  Ranks::apart([&]() {
+    if (!keeps)
+      return;
+    rows.context().results.set("state", 0);
+    rows.context().results.end_row();
+  });
+  Ranks::on_root([&]() {
+    fs::remove(shared.folder / rank_file_name("results.csv", last()));
+  });
+  const std::string said = complaint([&]() { rows.collect(TablePlan()); });
+  BOOST_TEST(contains(said, "Of 1 states that ranks have solved, 0 are in") ==
+             many);
+  BOOST_TEST(said.empty() == !many);
 }
 
 BOOST_AUTO_TEST_CASE(only_the_root_writes)

@@ -1,11 +1,12 @@
 #include "disc_on_block.h"
+#include "solved_scene.h"
+#include "true_sections_scene.h"
 
 #include <rolling_contact/bodies/curvature_correction.h>
 #include <rolling_contact/bodies/moment_fields.h>
 #include <rolling_contact/bodies/rigid_work.h>
 #include <rolling_contact/pair/split_choice.h>
 #include <rolling_contact/results/error_bounds.h>
-#include <rolling_contact/state/estimate_errors.h>
 
 #include <cmath>
 #include <functional>
@@ -18,42 +19,12 @@ namespace
 {
   using Change = std::function<void(SceneParameters &)>;
 
-  /** S1002 on 60E1, of true sections, away from the corner of the rail. */
   void set_sections(SceneParameters &scene)
   {
-    scene.dimension                  = 3;
-    scene.wheel.hub_radius           = 0.095;
-    scene.rail.shape                 = "block";
-    scene.rail.radius                = 0.;
-    scene.rail.block_length          = 0.6;
-    scene.contact.normal_load        = 16e3;
+    set_true_sections(scene);
     scene.contact.creepages          = {0.001, 0.001, 0.191791};
     scene.mesh.elements_across_patch = 16;
-    scene.mesh.growth                = 0.8;
-    scene.output.body_fields         = false;
-    scene.profiles.wheel_profile     = "S1002";
-    scene.profiles.rail_profile      = "60E1";
-    scene.profiles.shift             = 3e-3;
-    scene.profiles.roll              = 0.;
-    scene.profiles.true_sections     = true;
   }
-
-  struct SectionsInContact : public SceneInMemory
-  {
-    explicit SectionsInContact(const Compliance compliance)
-    {
-      set_sections(scene);
-      scene.mesh.compliance = compliance;
-      scene.check();
-      StateDemands demands;
-      demands.pair.bulk_errors = true;
-      steady = solve_steady_state<3>(situation(), demands, context);
-      BOOST_TEST(steady.solver.converged);
-      estimate_errors(situation(), steady);
-    }
-
-    SteadyState<3> steady;
-  };
 
   /** Moments of displacement under moments of force. */
   DenseMatrix moments_of(DirectBody<3>      &body,
@@ -137,21 +108,11 @@ BOOST_AUTO_TEST_CASE(loads_work_on_rigid_motions)
  */
 BOOST_AUTO_TEST_CASE(forces_are_those_of_finite_elements)
 {
-  const SectionsInContact elements(Compliance::finite_elements),
-    split(Compliance::automatic);
-  const Resultants &one = elements.steady.result, &other = split.steady.result;
-  BOOST_TEST(!elements.steady.pair->bodies().is_split());
-  BOOST_TEST(split.steady.pair->bodies().is_split());
-  const double mu_N = one.friction_force;
-  BOOST_TEST_MESSAGE("forces " << one.force_x << ' ' << one.force_y << ", "
-                               << other.force_x << ' ' << other.force_y);
-  BOOST_TEST(std::abs(one.force_x - other.force_x) < 4e-3 * mu_N);
-  BOOST_TEST(std::abs(one.force_y - other.force_y) < 4e-3 * mu_N);
-  // half-spaces give way by 0.034 mm, the rest is what bends
-  BOOST_TEST(elements.steady.state.approach == split.steady.state.approach,
-             boost::test_tools::tolerance(0.01));
-  BOOST_TEST(one.max_pressure == other.max_pressure,
-             boost::test_tools::tolerance(8e-3));
+  const SolvedScene elements(Compliance::finite_elements, set_sections),
+    split(Compliance::automatic, set_sections);
+  // of the approach half-spaces are 0.034 mm, the rest is what bends
+  check_split(elements, split, 4e-3, 8e-3);
+  const double mu_N = elements.steady.result.friction_force;
   const double bulk = split.steady.estimate->bulk->force / mu_N;
   BOOST_TEST(bulk > 3.5e-3); // what 24 finite elements differ by
   BOOST_TEST(bulk < 6e-3);

@@ -6,6 +6,7 @@
 #include "complaint.h"
 #include "scene_run.h"
 #include "scratch_folder.h"
+#include "true_sections_scene.h"
 
 #include <rolling_contact/base/ranks.h>
 #include <rolling_contact/contact/patch_area.h>
@@ -32,29 +33,11 @@ namespace
 {
   const double mm = 1e-3;
 
-  void standard(SceneParameters &scene)
-  {
-    scene.dimension                  = 3;
-    scene.wheel.hub_radius           = 0.095;
-    scene.rail.shape                 = "block";
-    scene.rail.radius                = 0.;
-    scene.rail.block_length          = 0.6;
-    scene.contact.normal_load        = 16e3;
-    scene.mesh.elements_across_patch = 10;
-    scene.mesh.growth                = 0.8;
-    scene.output.body_fields         = false;
-    scene.profiles.wheel_profile     = "S1002";
-    scene.profiles.rail_profile      = "60E1";
-    scene.profiles.shift             = 3 * mm;
-    scene.profiles.roll              = 0.;
-    scene.profiles.true_sections     = true;
-  }
-
   /** A scene whose bodies are known. */
   Situation scene_with(const std::function<void(SceneParameters &)> &change)
   {
     SceneParameters scene;
-    standard(scene);
+    set_true_sections(scene);
     change(scene);
     scene.check();
     return Situation(scene);
@@ -403,7 +386,7 @@ BOOST_AUTO_TEST_CASE(cells_are_foretold_and_the_same_when_distributed)
 BOOST_AUTO_TEST_CASE(a_patch_on_the_tread_is_that_of_plain_bodies)
 {
   const auto state = [](const bool sections, const bool left) {
-    return SceneRun<3>(&standard, [&](SceneParameters &scene) {
+    return SceneRun<3>(&set_true_sections, [&](SceneParameters &scene) {
       scene.profiles.true_sections = sections;
       scene.wheel.width = scene.rail.width = 0.1;
       scene.rail.block_depth               = 0.15;
@@ -517,7 +500,7 @@ BOOST_AUTO_TEST_CASE(a_zone_ends_where_sections_no_longer_face_each_other)
   const ScratchFolder folder;
   write(folder.scratch / "wheel.txt", hollow_wheel(41.4));
   const auto state = [&](const bool sections) {
-    return SceneRun<3>(&standard, [&](SceneParameters &scene) {
+    return SceneRun<3>(&set_true_sections, [&](SceneParameters &scene) {
       scene.prm_folder             = folder.scratch;
       scene.profiles.wheel_profile = "wheel.txt";
       scene.profiles.true_sections = sections;

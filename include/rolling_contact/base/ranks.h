@@ -34,6 +34,10 @@ namespace RollingContact
     /** Number of ranks. */
     unsigned int count();
 
+    /** Processors of this machine for each rank, as if all ran on it; at
+     * least 1. */
+    unsigned int cpus_of_each();
+
     /** Number of this process, from 0 to count() - 1. */
     unsigned int rank();
 

@@ -33,7 +33,8 @@ namespace RollingContact
     /**
      * Take the rows of all ranks into the results of the root, which writes
      * results.csv and removes the files of the others, and their warnings into
-     * its log. Throws InputError on all ranks. Collective.
+     * its log. Throws InputError on all ranks, as where a rank has written to
+     * a folder that the root does not see. Collective.
      */
     void collect(const TablePlan &plan);
 
@@ -42,7 +43,7 @@ namespace RollingContact
     std::string shares() const;
 
   private:
-    void take_rows(const TablePlan &plan);
+    void take_rows(const TablePlan &plan, const double n_solved);
     void take_warnings();
 
     RunContext        &of_run;
