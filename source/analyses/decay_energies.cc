@@ -106,8 +106,8 @@ namespace RollingContact
           first + 1 + (in_period > 1 ? 4 * in_bay : least_samples);
         if (body.body_shape()->extruded_section() == nullptr)
           throw InputError(
-            "Receptance/Decay rates = true: the rail is none of one section "
-            "along x; take Rail/Shape = section with Radius = 0, or Body "
+            "Receptance/Decay rates = true: the rail does not have one "
+            "section along x; take Rail/Shape = section with Radius = 0, or Body "
             "sections = true.");
         if (n_places < least)
           throw InputError(body.section + "/Block length = " +

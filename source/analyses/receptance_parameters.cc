@@ -125,8 +125,8 @@ namespace RollingContact
       if (!(frequency > 0. && frequency <= highest_frequency))
         throw InputError("Receptance/Check frequencies contains " +
                          text_of(frequency) +
-                         ", which is not above 0 Hz and at most Highest "
-                         "frequency = " +
+                         "; each must be above 0 Hz and at most "
+                         "Highest frequency = " +
                          text_of(highest_frequency) + " Hz.");
     const auto named = read_places(points);
     for (const Place &place : named)
@@ -159,8 +159,8 @@ namespace RollingContact
         if (word.size() != 1 || axis == std::string::npos)
           throw InputError("Receptance/Directions = " + directions + ": \"" +
                            word +
-                           "\" is none of x, y and z, which are "
-                           "separated by commas.");
+                           "\" is not x, y or z; separate "
+                           "directions by commas.");
         if (std::count(result.begin(), result.end(), axis) == 0)
           result.push_back(axis);
       }

@@ -74,7 +74,7 @@ namespace RollingContact
                          H5S_ALL,
                          H5P_DEFAULT,
                          values.data()) < 0)
-      reject(path, "these are no numbers");
+      reject(path, "these are not numbers");
     return values;
   }
 
@@ -115,7 +115,7 @@ namespace RollingContact
     double       value = 0.;
     if (H5Sget_simple_extent_npoints(space.id) != 1 ||
         H5Aread(attribute.id, H5T_NATIVE_DOUBLE, &value) < 0)
-      reject(path, "the attribute " + name + " is no number");
+      reject(path, "the attribute " + name + " is not a number");
     return value;
   }
 

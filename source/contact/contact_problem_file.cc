@@ -226,9 +226,8 @@ namespace RollingContact
                                          matrices,
                                          file.numbers("/operators/flow", 1)[0])
                           : SlipOperator(choice.kind);
-      throw InputError(
-        "/operators/slip_operator: there is none of the name \"" + name +
-        "\".");
+      throw InputError("/operators/slip_operator: no operator has the name \"" +
+                       name + "\".");
     }
 
     /**

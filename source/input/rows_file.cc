@@ -79,7 +79,7 @@ namespace RollingContact
           if (const auto value = number(cell))
             found.rows.back().push_back(*value);
           else
-            throw InputError(at + "'" + quotable(cell) + "' is no number" +
+            throw InputError(at + "'" + quotable(cell) + "' is not a number" +
                              advice_on_decimals(cell) + ".");
       }
     if (title != found.names.end())

@@ -173,7 +173,7 @@ namespace RollingContact
         const long node = number(words[0]);
         if (node == 0)
           complain("\"" + words[0] +
-                   "\" is no number of a node; they are whole, from 1 on.");
+                   "\" is not a node number; they are whole, from 1 on.");
         AbaqusFile::Point point{};
         for (unsigned int d = 0; d < dimension && d + 1 < words.size(); ++d)
           if (!read_real(words[d + 1], point[d]))
@@ -205,7 +205,7 @@ namespace RollingContact
           {
             file.elements.back().corners.push_back(number(words[v]));
             if (file.elements.back().corners.back() == 0)
-              complain("\"" + words[v] + "\" is no number of a node.");
+              complain("\"" + words[v] + "\" is not a node number.");
           }
         if (!set.empty())
           sets[set].push_back(n);
@@ -235,7 +235,7 @@ namespace RollingContact
             numbers.push_back(number(word));
             if (numbers.back() == 0 || numbers.back() > n_elements)
               complain("\"" + word +
-                       "\" in *ELSET is no number of an element before it.");
+                       "\" in *ELSET is not an element above it.");
           }
         if (!generates)
           sets[set].insert(sets[set].end(), numbers.begin(), numbers.end());

@@ -130,7 +130,7 @@ namespace RollingContact
           throw InputError(
             section + "/Damper radius = " + significant(ring.radius, 6) +
             ", Damper position = " + significant(ring.position, 6) +
-            ": there is nothing of the wheel; the nearest of its section is at "
+            ": the wheel does not reach there; the nearest point of its section is at "
             "radius " +
             significant(nearest[0], 4) + " m, position " +
             significant(nearest[1], 4) + " m.");

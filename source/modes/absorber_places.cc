@@ -38,7 +38,7 @@ namespace RollingContact
         throw InputError(
           section + "/Damper radius = " + significant(ring.radius, 6) +
           ", Damper position = " + significant(ring.position, 6) +
-          ": there is nothing of the wheel; the nearest circle of nodes is at "
+          ": the wheel does not reach there; the nearest circle of nodes is at "
           "radius " +
           significant(at.radius, 4) + " m, position " +
           significant(at.axial, 4) + " m.");

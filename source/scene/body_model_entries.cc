@@ -145,7 +145,7 @@ namespace RollingContact
         name_of(hub) + "; take Model = mesh.");
     if (body_shape != nullptr && !body_shape->section_about_axle())
       throw InputError(entry +
-                       "this body is none of revolution; take Shape = disc, "
+                       "this is not a body of revolution; take Shape = disc, "
                        "or section with a Radius above 0, or Model = mesh.");
   }
 

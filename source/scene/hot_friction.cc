@@ -31,7 +31,7 @@ namespace RollingContact
         const auto temperature = number(pair.front());
         const auto share       = number(pair.back());
         if (pair.size() != 2 || !temperature || !share)
-          reject_hot_friction(text, "\"" + part + "\" is no pair.");
+          reject_hot_friction(text, "\"" + part + "\" is not a pair.");
         if (!(*temperature >= coldest))
           reject_hot_friction(text,
                               text_of(*temperature) +

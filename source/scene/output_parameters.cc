@@ -20,7 +20,7 @@ namespace RollingContact
     entries.add("Body fields", body_fields)
       .read_by({asks<AnalysisTraits>(
                   [](const auto &analysis) { return !analysis.finds_place; }),
-                "the wheels of a wheelset leave fields of the contact alone"})
+                "a wheelset writes fields of its contacts only"})
       .help = "Write bodies.pvd: displacement, stress and von Mises stress.";
     entries.add("Contact problem", contact_problem)
       .read_by({asks<AnalysisTraits>(

@@ -32,7 +32,7 @@ namespace RollingContact
       {
         sentences.push_back(entry + " = " + significant(value, 6) +
                             (unit.empty() ? "" : ' ' + unit) +
-                            " is hardly meant so: " + why +
+                            " is unlikely: " + why +
                             (meant.empty() ? "." : "; meant " + meant + "?"));
       }
 
@@ -275,6 +275,14 @@ namespace RollingContact
               check_creepage(list.name, list.values);
           return;
         }
+      const double angle = contact.creepage_direction;
+      if (std::abs(angle) > 2 * pi)
+        doubt("Contact/Creepage direction",
+              angle,
+              "rad",
+              "a full circle has 6.28 rad",
+              significant(angle * pi / 180, 6) + " (" + significant(angle, 6) +
+                " degrees)");
       check_creepage("Contact/Creepage x", {creepages.x});
       check_creepage("Contact/Creepage y", {creepages.y});
       check_spin("Contact/Spin", {creepages.spin});

@@ -69,8 +69,8 @@ namespace RollingContact
         columns += (columns.empty() ? "" : ", ") + signal.column;
       }
     throw InputError("Spectrum/Spectrogram signal = " + wanted +
-                     ": it is none of the columns of history.csv that spectra "
-                     "are of; this scene has " +
+                     ": spectra are made of columns of history.csv; this "
+                     "scene has " +
                      columns +
                      ". Named points have columns where Wheel or "
                      "Rail/Velocity points gives them.");

@@ -44,8 +44,8 @@ namespace RollingContact
     const std::string given = "Contact/Friction over temperature = " + hot;
     if (marches() || analysis.linearises)
       throw InputError(given + ": Analysis = " + analysis.name +
-                       " does not know how surfaces become hot and cold while "
-                       "they vibrate; leave it empty, or find the steady state "
+                       " cannot follow the temperature of vibrating surfaces; "
+                       "leave it empty, or find the steady state "
                        "with Analysis = quasi-static.");
     if (!contact.speed)
       throw InputError(given +

@@ -31,14 +31,14 @@ namespace RollingContact
             sections += (sections.empty() ? "" : ", ") + section.name;
         sections.replace(sections.rfind(", "), 2, " and ");
         throw InputError(place + entry +
-                         " is none that states may differ by; take one of "
+                         " cannot vary between states; take one of "
                          "sections " +
                          sections + '.');
       }
     if (!row.takes_numbers())
-      throw InputError(place + entry +
-                       " is no number; a state may differ from others by "
-                       "numbers only.");
+      throw InputError(
+        place + entry +
+        " is not a number; only numbers can vary between states.");
     const std::string why =
       given.finds_place() ? row.why_idle(given) : std::string();
     if (!why.empty())

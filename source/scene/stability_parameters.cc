@@ -35,8 +35,8 @@ namespace RollingContact
     const Reader of_growth = {asks<AnalysisTraits>([](const auto &analysis) {
                                 return !analysis.passes_waves;
                               }),
-                              "waves that pass vibrate at frequencies of "
-                              "their own"};
+                              "surfaces with waves give the frequencies "
+                              "themselves"};
     const Reader one_state = {asks<AnalysisTraits>([](const auto &analysis) {
                                 return analysis.linearises &&
                                        !analysis.has_many_states &&

@@ -38,12 +38,12 @@ namespace RollingContact
       };
       const auto parts = Utilities::split_string_list(text, ':');
       if (parts.size() != 2 || parts[0].empty())
-        fail("is no named point");
+        fail("is not a named point");
       VelocityPoint point{parts[0], {}};
       if (letters.find(point.name[0]) == std::string::npos ||
           point.name.find_first_not_of(in_names) != std::string::npos)
-        fail("has a name that is none of a column: it begins with a letter and "
-             "has letters, digits, _ and - only");
+        fail("has a name that cannot name a column: it must begin with a "
+             "letter and have only letters, digits, _ and -");
       const auto words = Utilities::split_string_list(parts[1], ',');
       if (words.size() != 3)
         fail("needs three numbers, and has " + std::to_string(words.size()));

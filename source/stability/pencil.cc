@@ -83,7 +83,7 @@ namespace RollingContact
           throw InputError("Row " + std::to_string(i + 1) + " of " +
                            std::to_string(n_x) +
                            " of the linearised contact holds nothing, or an "
-                           "entry that is no number.");
+                           "entry that is not a number.");
         of_A /= largest;
         of_E /= largest;
       }

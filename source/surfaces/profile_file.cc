@@ -61,8 +61,8 @@ namespace RollingContact::Profiles
       if (size_of(file) > most_bytes)
         throw InputError(file.string() + ": " +
                          human_bytes(static_cast<double>(size_of(file))) +
-                         " are no profile; at most " + human_bytes(most_bytes) +
-                         " are read.");
+                         " are too many for a profile; at most " +
+                         human_bytes(most_bytes) + " are read.");
       return TextLines(file, comment_marks);
     }
 
@@ -217,10 +217,10 @@ namespace RollingContact::Profiles
           if (found && found->size() >= 2)
             points.push_back({-unit * (*found)[0], -unit * (*found)[1]});
           else if (!points.empty() && !text.empty())
-            throw InputError(at_line(file, lines.number) + "\"" +
-                             quotable(text) +
-                             "\" among the points is none: two or three "
-                             "numbers.");
+            throw InputError(
+              at_line(file, lines.number) + "\"" + quotable(text) +
+              "\" among the points is not a point: give two or three "
+              "numbers.");
         }
       return points;
     }

@@ -186,7 +186,7 @@ namespace RollingContact
       if (!(place >= -0.5 && place <= map.n_lines - 0.5))
         file.reject("its lines go from y = " + significant(map.first_line, 6) +
                     " to " + significant(map.last_line(), 6) +
-                    " m: there is none at y = 0.");
+                    " m: none is at y = 0.");
       const std::size_t n     = map.n_along(),
                         first = n * static_cast<std::size_t>(
                                       std::min(std::round(std::max(0., place)),

@@ -211,7 +211,7 @@ namespace RollingContact
       throw InputError("Cannot resume the table in \"" +
                        context.folder.get_path().string() + "\": row " +
                        std::to_string(row) + " of " + file +
-                       " is none of its states; was a file changed? Start "
+                       " is not one of its states; was a file changed? Start "
                        "it without --resume.");
     }
   } // namespace

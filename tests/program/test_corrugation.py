@@ -144,7 +144,7 @@ def test_entries_that_have_no_effect(program):
             says="Corrugation/Check amplitude = 1e-6 has no effect")
     run = program(SCENE, COMMON, NO_PLOT, {"Stability/Count check": "false", "Stability/Damping margin": 0.1,
                                            "Stability/Lowest frequency": 1000}, output="idle",
-                  says="Stability/Lowest frequency = 1000 has no effect: waves that pass")
+                  says="Stability/Lowest frequency = 1000 has no effect: surfaces with waves give the frequencies themselves")
     for entry in ("Count check = false", "Damping margin = 0.1"):
         assert f"Stability/{entry} has no effect" in run.messages
 

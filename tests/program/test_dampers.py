@@ -65,7 +65,7 @@ def test_dampers_in_receptances(program):
     ({"Wheel/Damper mass": "1, 2"}, "give as many, or one for all"),
     ({"Wheel/Damper direction": "up"}, "Damper direction"),
     ({"Wheel/Mode damping": 300}, "is no `frequency : damping ratio`"),
-    ({"Wheel/Damper radius": 0.3}, "Wheel/Damper radius = 0.3, Damper position = 0: there is nothing of the wheel; the nearest of its section is "
+    ({"Wheel/Damper radius": 0.3}, "Wheel/Damper radius = 0.3, Damper position = 0: the wheel does not reach there; the nearest point of its section is "
      "at radius 0.2 m, position 0 m."),
     ({"Wheel/Damper position": 0.2}, "position"),
 ])
@@ -74,9 +74,9 @@ def test_refused(program, settings, says):
 
 
 def test_dampers_are_on_the_wheel(program):
-    program(PAIR, STABILITY, BRIEF, DAMPERS, {"Wheel/Damper radius": 0.3}, code=1, says="there is nothing of the wheel")
+    program(PAIR, STABILITY, BRIEF, DAMPERS, {"Wheel/Damper radius": 0.3}, code=1, says="the wheel does not reach there")
     program("squeal_cured", {"Wheel/Damper position": "0.12, 0.12"}, options=VALIDATE, code=1,
-            says="there is nothing of the wheel; the nearest of its section is at radius")
+            says="the wheel does not reach there; the nearest point of its section is at radius")
     program("squeal_cured", options=VALIDATE)
 
 

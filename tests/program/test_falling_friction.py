@@ -16,10 +16,10 @@ OVER = "Contact/Friction over temperature"
     (DISCS, "Contact/Speed = fast", {"Contact/Speed": "fast"}),
     (DISCS, "Friction law", {"Contact/Friction law": "magic"}),
     (HOT, "Contact/Speed is empty: how hot", {"Contact/Speed": ""}),
-    ("oscillating_creepage_2d", "while they vibrate; leave it empty", {OVER: "293: 1, 600: 0.5"}),
-    ("squeal_stability", "Analysis = stability does not know how", {OVER: "293: 1, 600: 0.5"}),
+    ("oscillating_creepage_2d", "temperature of vibrating surfaces; leave it empty", {OVER: "293: 1, 600: 0.5"}),
+    ("squeal_stability", "Analysis = stability cannot follow the temperature of vibrating surfaces", {OVER: "293: 1, 600: 0.5"}),
     (HOT, "20 K is colder than rails are; 0 degrees Celsius are 273.15 K", {OVER: "20: 1, 500: 0.5"}),
-    (HOT, '"0.6" is no pair. Give temperatures in K', {OVER: "300: 1, 0.6"}),
+    (HOT, '"0.6" is not a pair. Give temperatures in K', {OVER: "300: 1, 0.6"}),
 ])
 def test_refused(program, scene, says, settings):
     program.refuses(scene, says, settings)

@@ -181,13 +181,13 @@ def test_without_points_and_spectra_there_is_nothing_of_it(program):
 
 
 @pytest.mark.parametrize("says, settings", [
-    ('Wheel/Velocity points: "0.45, 90, 0" is no named point', {"Wheel/Velocity points": "0.45, 90, 0"}),
+    ('Wheel/Velocity points: "0.45, 90, 0" is not a named point', {"Wheel/Velocity points": "0.45, 90, 0"}),
     ("more than one point with the name a", {"Wheel/Velocity points": "a: 0.45, 90, 0; a: 0.4, 0, 0"}),
     ("both have a point tread", {"Rail/Velocity points": "tread: 0, 0, -0.1"}),
-    ("a name that is none of a column", {"Wheel/Velocity points": "the tread: 0.45, 90, 0"}),
+    ("a name that cannot name a column", {"Wheel/Velocity points": "the tread: 0.45, 90, 0"}),
     ("in 2D its third number is 0", {"Wheel/Velocity points": "a: 0.45, 90, 0.01"}),
     ("need all nodes of a body on one rank", {"Body solver": "distributed"}),
-    ("it is none of the columns", {"Spectrum/Spectrogram": "true", "Spectrum/Spectrogram signal": "velocity_side_x_m/s"}),
+    ("spectra are made of columns of history.csv", {"Spectrum/Spectrogram": "true", "Spectrum/Spectrogram signal": "velocity_side_x_m/s"}),
     ("give from 32 to the 1500 steps", {"Spectrum/Spectrogram": "true", "Spectrum/Spectrogram window": "1e-5"}),
 ])
 def test_refused(program, says, settings):

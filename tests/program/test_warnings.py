@@ -23,32 +23,39 @@ def not_doubted(program, scene, *settings):
 
 
 @pytest.mark.parametrize("scene, entry, value, says", [
-    (DISCS, "Wheel/Young modulus", 210, "Wheel/Young modulus = 210 Pa is hardly meant so: rubber has 1e6 Pa; meant 210e9 (GPa)?"),
+    (DISCS, "Wheel/Young modulus", 210, "Wheel/Young modulus = 210 Pa is unlikely: rubber has 1e6 Pa; meant 210e9 (GPa)?"),
     (DISCS, "Wheel/Young modulus", 210000, "meant 210000e6 (MPa)?"),
     (DISCS, "Contact/Friction coefficient", 30,
-     "Contact/Friction coefficient = 30 is hardly meant so: dry steel has 0.3 to 0.6, rubber 1; meant 0.3 (30 %)?"),
+     "Contact/Friction coefficient = 30 is unlikely: dry steel has 0.3 to 0.6, rubber 1; meant 0.3 (30 %)?"),
     (DISCS, "Contact/Creepage x", 17, "meant 0.17 (17 %)?"),
-    (CURVE, "Creep curve/Creepage y", "0, -2", "Creep curve/Creepage y = -2 is hardly"),
+    (CURVE, "Creep curve/Creepage y", "0, -2", "Creep curve/Creepage y = -2 is unlikely"),
     ("oscillating_creepage_2d", "Time/Creepage x", "1.7*sin(2*pi*1000*t)", "Time/Creepage x = "),
     # rho g pi (R^2 - r^2) B of the disc in the scene: 7800 x 9.81 x pi (0.46^2 - 0.08^2) 0.1 N = 4933 N
     (ON_RAIL, "Contact/Normal load", 100,
-     "Contact/Normal load = 100 N is hardly meant so: the wheel alone weighs 4.93e+03 N; meant 100e3 (kN)?"),
-    (DISCS, "Wheel/Radius", 460, "Wheel/Radius = 460 m is hardly meant so: lengths are in m; meant 0.46 (460 mm)?"),
+     "Contact/Normal load = 100 N is unlikely: the wheel alone weighs 4.93e+03 N; meant 100e3 (kN)?"),
+    (DISCS, "Wheel/Radius", 460, "Wheel/Radius = 460 m is unlikely: lengths are in m; meant 0.46 (460 mm)?"),
     (DISCS, "Contact/Approach", 0.22, "it is 0.478 times the smallest radius, and it is in m; meant 0.22e-3 (mm)?"),
     ("rolling_at_speed_2d", "Rail/Density", 7.8, "meant 7.8e3 (g/cm^3)?"),
     (MODES, "Wheel/Density", 7.85, "meant 7.85e3 (g/cm^3)?"),
     (MODES, "Wheel/Modal damping", "0.1, 0.5, 0.01",
-     "Wheel/Modal damping = 0.5 is hardly meant so: damping ratios of steel wheels are 1e-4 to 1e-2; meant 0.5e-2 (0.5 %)?"),
+     "Wheel/Modal damping = 0.5 is unlikely: damping ratios of steel wheels are 1e-4 to 1e-2; meant 0.5e-2 (0.5 %)?"),
     # a cone rolls with the spin 1/radius: 1/400 m
-    ("combined_3d", "Contact/Spin", 400, "Contact/Spin = 400 1/m is hardly meant so: it is that of a cone of 2.5 mm that does not roll."),
+    ("combined_3d", "Contact/Spin", 400, "Contact/Spin = 400 1/m is unlikely: it is that of a cone of 2.5 mm that does not roll."),
     # not of the first state
     (TABLE, "Table/Axis 2", "Contact/Creepage x = 0 : 4 : 5",
-     "Contact/Creepage x = 4 is hardly meant so: a wheel that is blocked has a creepage of 1; meant 0.04 (4 %)?"),
-    (TABLE, "Table/Axis 1", "Contact/Normal load = 80e3, 40", "Contact/Normal load = 40 N is hardly meant so"),
-    ("profiles_tread_and_flange", "Contact/Vertical load", 80, "Contact/Vertical load = 80 N is hardly meant so"),
+     "Contact/Creepage x = 4 is unlikely: a wheel that is blocked has a creepage of 1; meant 0.04 (4 %)?"),
+    (TABLE, "Table/Axis 1", "Contact/Normal load = 80e3, 40", "Contact/Normal load = 40 N is unlikely"),
+    ("profiles_tread_and_flange", "Contact/Vertical load", 80, "Contact/Vertical load = 80 N is unlikely"),
 ])
 def test_units(program, scene, entry, value, says):
     doubted(program, says, scene, {entry: value})
+
+
+def test_directions_in_degrees(program):
+    turned = {"Contact/Creepage x": "", "Contact/Creepage y": "", "Contact/Creepage size": 0.001}
+    doubted(program, "Contact/Creepage direction = 90 rad is unlikely: a full circle has 6.28 rad; meant 1.5708 (90 degrees)?",
+            "combined_3d", {**turned, "Contact/Creepage direction": 90})
+    not_doubted(program, "combined_3d", {**turned, "Contact/Creepage direction": -6})
 
 
 @pytest.mark.parametrize("scene, entry, value, says", [

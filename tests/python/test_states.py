@@ -51,7 +51,7 @@ class Copies(Case):
         self.assertNotEqual(first, "a state")
         with self.assertRaises(TypeError):
             hash(first)
-        # by a field alone, of which there is no number
+        # by a field alone, of which there is not a number
         other = pickle.loads(pickle.dumps(first))
         other.fields.traction[3, 0] += 1.0
         self.assertNotEqual(first, other)

@@ -288,14 +288,14 @@ BOOST_AUTO_TEST_CASE(nodes_of_abaqus)
     BOOST_TEST(contains(said("2, 0, 0", std::string(number) + ", 0, 0"),
                         "line 3: \"" +
                           std::string(*number == 'x' ? "X" : number) +
-                          "\" is no number of a node"));
+                          "\" is not a node number"));
   BOOST_TEST(contains(said("2, 0, 0", "1, 0, 0"), "line 3: node 1 is there"));
   TwoSquares file;
   file.second = "2, 5, 7, 3";
   BOOST_TEST(
     contains(said_of(file), "line 10: an element has node 7, which is not in"));
   file.second = "2, 5, 0, 3";
-  BOOST_TEST(contains(said_of(file), "line 10: \"0\" is no number of a node"));
+  BOOST_TEST(contains(said_of(file), "line 10: \"0\" is not a node number"));
 }
 
 BOOST_AUTO_TEST_CASE(parts_that_abaqus_moves)

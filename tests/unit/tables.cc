@@ -58,8 +58,9 @@ BOOST_AUTO_TEST_CASE(axes_that_are_none)
                       "Table/Axis 1 is this entry already"));
   BOOST_TEST(contains(said_of({"", "Contact/Creepage = 0"}),
                       "Table/Axis 2: there is no entry Contact/Creepage"));
-  BOOST_TEST(contains(said_of({"Contact/Friction law = 0"}), "is no number"));
-  BOOST_TEST(contains(said_of({"Contact/Roughness = 0"}), "is no number"));
+  BOOST_TEST(
+    contains(said_of({"Contact/Friction law = 0"}), "is not a number"));
+  BOOST_TEST(contains(said_of({"Contact/Roughness = 0"}), "is not a number"));
   BOOST_TEST(contains(said_of({"Output/Verbosity = 0"}), "differ"));
   BOOST_TEST(contains(said_of({"Dimension = 2, 3"}), "differ"));
   BOOST_TEST(contains(said_of({"Contact/Friction coefficient = -0.1, 0.3"}),
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(files_that_have_no_rows)
   BOOST_TEST(contains(said("Contact/Spin;Contact/Creepage x\n0;1\n\n2\n"),
                       "line 4: it has 1 columns"));
   BOOST_TEST(contains(said("Contact/Spin\n0,1\n"), "line 2"));
-  BOOST_TEST(contains(said("Contact/Spin\nnan\n"), "'nan' is no number"));
+  BOOST_TEST(contains(said("Contact/Spin\nnan\n"), "'nan' is not a number"));
   BOOST_TEST(
     contains(said("Contact/Spn\n1\n"), "there is no entry Contact/Spn"));
   BOOST_TEST(said("\xEF\xBB\xBF\"Contact/Spin\" ; Contact/Creepage x\r\n"
@@ -427,7 +428,7 @@ BOOST_FIXTURE_TEST_CASE(rows_of_a_stopped_table, DrawingRun)
                           "1,,0.1,solved\n",
                           "1,0.002,0.1,\n",
                           "1,0.002,0.1,solved\n1,0.002,0.1,solved\n"})
-    BOOST_TEST(contains(said(head + row), "is none of its states"));
+    BOOST_TEST(contains(said(head + row), "is not one of its states"));
   BOOST_TEST(contains(said(head + "1,0.002,0.1,done\n"),
                       "row 1: column status has \"done\""));
   BOOST_TEST(!solved_by("active set, from fast sliding").stood_in);

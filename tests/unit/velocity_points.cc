@@ -72,12 +72,12 @@ BOOST_AUTO_TEST_CASE(points_are_read_or_refused)
   BOOST_TEST(points[1].place[2] == 0.01);
   BOOST_TEST(read_velocity_points("Rail", "", 2).empty());
   BOOST_TEST(velocity_column("tread", 'y') == "velocity_tread_y_m/s");
-  refused("Wheel", "0.45, 90, 0", "is no named point");
+  refused("Wheel", "0.45, 90, 0", "is not a named point");
   refused("Wheel", "a: 0.4, 1, 0; a: 0.3, 1, 0", "more than one point");
   refused("Rail", "foot: 0.3, 0", "three numbers, and has 2");
   refused("Rail", "foot: 0.3, 0, low", "no number in \"low\"");
-  refused("Rail", "my foot: 0.3, 0, -0.1", "a name that is none of a column");
-  refused("Rail", "2nd: 0.3, 0, -0.1", "a name that is none of a column");
+  refused("Rail", "my foot: 0.3, 0, -0.1", "a name that cannot name a column");
+  refused("Rail", "2nd: 0.3, 0, -0.1", "a name that cannot name a column");
   refused("Wheel", "a: -0.3, 0, 0", "a radius below 0 m");
   refused("Wheel", "a: 0.3, 0, 0.1", "its third number is 0", 2);
   refused("Rail", "a: 0.3, 0.1, 0", "its second number is 0", 2);

@@ -48,8 +48,8 @@ namespace RollingContact
   /**
    * A text for a cell that a spreadsheet shows and never evaluates: one that it
    * would take for a formula, for it begins with '=', '+', '-', '@' or a tab
-   * and is no number, gets an apostrophe before it, as does one that would be
-   * mistaken for such a cell.
+   * and is not a number, gets an apostrophe before it, as does one that would
+   * be mistaken for such a cell.
    */
   std::string no_formula(const std::string &text);
 

@@ -22,8 +22,8 @@ namespace RollingContact
    * names them; empty lines and those that begin with '#' are skipped. A column
    * `name` holds texts, all others numbers. Throws InputError, beginning with
    * the @p entry that gives the file, if it cannot be read, has no rows, a name
-   * of columns or rows twice or none, or a cell that is no number, naming the
-   * line.
+   * of columns or rows twice or none, or a cell that is not a number, naming
+   * the line.
    */
   NamedRows read_rows(const std::string           &entry,
                       const std::filesystem::path &file);

@@ -132,7 +132,7 @@ namespace RollingContact
     bool has_numbers(const std::string &column) const;
 
     /** A cell with all its digits, a bool as 0 or 1; nothing if it was never
-     * set or is no number. */
+     * set or is not a number. */
     std::optional<double> number(const std::size_t  row,
                                  const std::string &column) const;
 

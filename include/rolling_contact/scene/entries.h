@@ -179,9 +179,9 @@ namespace RollingContact
   /**
    * All entries as JSON: an object for each section that has an object for each
    * entry, with the texts `default`, `meaning`, `unit` (empty for 1 and for
-   * what is no number) and `allowed`, the values that it takes in words (empty
-   * where it takes any text). Entries outside of sections stand beside the
-   * sections.
+   * what is not a number) and `allowed`, the values that it takes in words
+   * (empty where it takes any text). Entries outside of sections stand beside
+   * the sections.
    */
   std::string entries_as_json(const Entries &entries);
 } // namespace RollingContact

@@ -52,8 +52,8 @@ namespace RollingContact
   /**
    * The crown that a text names, `lundberg : LOAD` or `johns-gohar : LOAD`,
    * each with `: LENGTH` behind it if it has its own; none for another text.
-   * Throws InputError, naming the entry, if load or length is no number above
-   * 0.
+   * Throws InputError, naming the entry, if load or length is not a number
+   * above 0.
    */
   std::optional<Crown> crown_named(const std::string &entry,
                                    const std::string &text);

@@ -101,7 +101,7 @@ namespace RollingContact
    * begins at 0, or has its middle there if the surface @p stands.
    *
    * Throws InputError naming the entry, the file, the line and what is allowed:
-   * what is no number, gaps, heights beyond 5 mm about their mean and, of a
+   * what is not a number, gaps, heights beyond 5 mm about their mean and, of a
    * record, slopes beyond 0.1, which ask for another unit.
    */
   SurfaceRecord read_surface_record(const std::string           &entry,
