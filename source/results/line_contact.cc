@@ -131,8 +131,9 @@ namespace RollingContact
         " p0, where endless cylinders have p0 = " + significant(1e-6 * p0, 4) +
         " MPa on " + millimetres(contact->length, 4) + "; load of the last " +
         millimetres(contact->end_length, 3) + " at an end " +
-        significant(100 * contact->end_excess, 3) +
-        " % above the middle's, pressure " +
+        significant(100 * std::abs(contact->end_excess), 3) + " % " +
+        (contact->end_excess < 0. ? "below" : "above") +
+        " the middle's, pressure " +
         significant(contact->end_pressure / p0, 3) + " p0 at " +
         millimetres(contact->end_distance, 3) + " from it");
   }
