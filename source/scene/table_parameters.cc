@@ -67,7 +67,7 @@ namespace RollingContact
               ", in the entry's unit. The entry may be any one with numbers "
               "of sections Wheel, Rail, Contact, Mesh and Profiles; the axis "
               "replaces its value in the scene. Entries of section Contact "
-              "change the load on bodies that are kept; all others make new "
+              "keep the bodies, as do places on profiles; all others make new "
               "bodies. Empty for none."
           : std::string("As `Axis 1`.");
     entries.add("File of rows", file_of_rows).help =

@@ -78,6 +78,9 @@ namespace RollingContact
     TableStatus status = !steady.solver.converged ? TableStatus::not_converged
                          : !enclosed              ? TableStatus::not_enclosed
                                                   : TableStatus::solved;
+    if (!steady.solver.converged && chain.complaint.empty())
+      chain.complaint = "The state of the table with " + plan.name(state) +
+                        " did not converge: " + steady.solver.reason + ".";
     try
       {
         estimate_errors(scene, steady);

@@ -242,6 +242,9 @@ namespace RollingContact
       },
       [&](const std::size_t k) {
         context.results.append(solved[k].rows);
+        if (!is_said && !solved[k].complaint.empty())
+          context.log.warning(solved[k].complaint);
+        is_said = is_said || !solved[k].complaint.empty();
         if (!solved[k].not_enclosed.empty())
           left.push_back(solved[k].not_enclosed);
         solved[k].rows.clear();

@@ -154,7 +154,9 @@ def unsolved(shared):
 
 
 def test_states_that_are_not_solved(unsolved):
-    """All others are there, and it is not silent."""
+    """All others are there, and it is not silent: one sentence says why."""
+    said = re.findall(r"The state of the table with (.*?) did not converge: \w", unsolved.messages)
+    assert len(said) == 1 and "Contact/Maximal iterations = 2" in said[0], unsolved.messages
     assert unsolved.json["status"] == "not converged"
     assert len(unsolved.results) == 32
     written(unsolved, "table.h5")

@@ -18,6 +18,7 @@ namespace RollingContact
   {
     ResultsTable             rows;
     std::vector<std::size_t> not_enclosed;
+    std::string complaint; ///< why its first state that is not found is not
   };
 
   /**

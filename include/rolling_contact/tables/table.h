@@ -205,9 +205,10 @@ namespace RollingContact
       std::make_shared<SplitBodies>();
     std::vector<bool> has_row;
     std::size_t       n_chains = 0, n_mine = 0; ///< chains; states of this part
-    std::size_t       n_before = 0;  ///< rows of a run that is continued
-    unsigned int      n_bodies = 0;  ///< sets of them that were built
-    double            seconds  = 0.; ///< of solving states
+    std::size_t       n_before = 0;     ///< rows of a run that is continued
+    unsigned int      n_bodies = 0;     ///< sets of them that were built
+    bool              is_said  = false; ///< why a state did not converge
+    double            seconds  = 0.;    ///< of solving states
   };
 
   /**
