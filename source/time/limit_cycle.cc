@@ -158,14 +158,20 @@ namespace RollingContact
         " % of those that touch; no contact " +
         significant(100 * share.open_time, 3) + " % of the time");
     if (share.sticking > 0.)
-      context.report.errors.push_back(
-        {"amplitude of the cycle",
-         1.5 / share.sticking, // either border of the zone may be off
-         "itself",
-         "one and a half nodes of the " + significant(share.sticking, 2) +
-           " that stick on average while any do; these limit it",
-         true,
-         ""});
+      {
+        // either border of the zone may be off
+        const double error = 1.5 / share.sticking;
+        context.report.errors.push_back(
+          {"amplitude of the cycle",
+           error,
+           "itself",
+           "one and a half nodes of the " + significant(share.sticking, 2) +
+             " that stick on average while any do; these limit it",
+           true,
+           "so power " + significant(std::pow(1. + error, 2) - 1., 2) +
+             " of itself, levels " +
+             significant(20. * std::log10(1. + error), 2) + " dB"});
+      }
     const auto energy = energies();
     context.report.set_finding(
       "work",

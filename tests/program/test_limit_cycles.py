@@ -102,9 +102,14 @@ def test_measures_of_the_cycle(cycle, measured):
     stick = [s > 0 for s in last["nodes_sticking"]]
     near(mean(stick), found["stick_time_share"], 0, 1e-3)
     near(mean([s / c for s, c in zip(last["nodes_sticking"], last["nodes_in_contact"]) if c > 0]), found["stick_node_share"], 0, 1e-3)
-    errors = [error["value"] for error in cycle.json["errors"] if error["quantity"] == "amplitude of the cycle"]
+    errors = [error for error in cycle.json["errors"] if error["quantity"] == "amplitude of the cycle"]
     assert len(errors) == 1
-    near(errors[0], 1.5 * sum(stick) / sum(last["nodes_sticking"]), 1e-3)
+    error = errors[0]["value"]
+    near(error, 1.5 * sum(stick) / sum(last["nodes_sticking"]), 1e-3)
+    # power is as the square of the amplitude
+    said = re.search(r"these limit it; so power (\S+) of itself, levels (\S+) dB", cycle.screen)
+    near(float(said[1]), (1 + error) ** 2 - 1, 0.06)
+    near(float(said[2]), 20 * math.log10(1 + error), 0.06)
     near(mean([not f > 0 for f in last["normal_force_N"]]), found["open_time_share"], 0, 1e-3)
 
 
