@@ -147,12 +147,17 @@ namespace RollingContact
         table.end_row();
       }
     table.flush();
+    const std::size_t n      = table.n_rows(),
+                      stride = std::max<std::size_t>(1, (n + 18) / 20);
     context.log.message(table.screen_table({"lateral_shift_m",
-                                            "right_y_wheel_m",
-                                            "right_angle_rad",
-                                            "left_y_wheel_m",
-                                            "left_angle_rad",
-                                            "rolling_radius_difference_m"}));
+                                            "right_y_rail_m",
+                                            "rolling_radius_difference_m",
+                                            "conicity_en_15302"},
+                                           stride));
+    if (stride > 1)
+      context.log.message("One shift in " + std::to_string(stride) +
+                          " is shown; all " + std::to_string(n) + " are in " +
+                          contact_table_file + ".");
   }
 
   void ContactTable::summarise_contacts() const

@@ -156,10 +156,10 @@ namespace RollingContact
           next_share = 1. - now.share;
         take_step(states, next_share);
         report.add(now, surfaces, states);
-        context.log.message("Step " + std::to_string(now.step) + ", " +
-                            place() + ": " + millimetres(now.depth, 3) +
-                            " deep, off by " + millimetres(now.error, 2) +
-                            " before extrapolation.");
+        context.log.message(
+          "Step " + std::to_string(now.step) + ", " + place() + ": it wears " +
+          millimetres(now.depth, 3) + ", off by " + millimetres(now.error, 2) +
+          " before extrapolation.");
         if (section.equal_steps == 0)
           next_share *=
             std::clamp(safety * std::min(std::sqrt(section.tolerance /

@@ -350,9 +350,10 @@ namespace RollingContact
   }
 
   std::string
-  ResultsTable::screen_table(const std::vector<std::string> &columns) const
+  ResultsTable::screen_table(const std::vector<std::string> &columns,
+                             const std::size_t               stride) const
   {
-    std::vector<std::string> lines(rows.size() + 1);
+    std::vector<std::string> lines((rows.size() + stride - 1) / stride + 1);
     for (const std::string &column : columns)
       {
         const auto found = column_numbers.find(column);
@@ -360,8 +361,9 @@ namespace RollingContact
           continue;
 
         std::vector<std::string> texts{column};
-        for (const Row &row : rows)
+        for (std::size_t k = 0; k < rows.size(); k += stride)
           {
+            const Row &row = rows[k];
             const bool is_set =
               found->second < row.size() && row[found->second].index() != 0;
             const std::string text =

@@ -1,5 +1,7 @@
 """Rigid contact of profiles: the table, its pictures, files and what is refused."""
 
+import re
+
 import pytest
 from conftest import charts, near, same_files, written
 
@@ -41,6 +43,17 @@ def test_files_and_summary_of_nominal_profiles(nominal):
     charts("contact_table", nominal.folder)
     assert "conicity 0.17" in nominal.screen
     assert "flange height Sh 28 mm, thickness Sd 32.5 mm, qR 10.79" in nominal.screen
+
+
+def test_a_table_for_the_screen(nominal):
+    """Some twenty shifts, and where the others are."""
+    table = nominal.table("contact_table.csv")
+    stride, n = map(int, re.search(r"One shift in (\d+) is shown; all (\d+) are in contact_table.csv", nominal.screen).groups())
+    assert n == len(table) and 10 <= n / stride <= 21
+    shown = nominal.screen[nominal.screen.index("lateral_shift_m"):nominal.screen.index("One shift in")].split()
+    assert shown[0] == "lateral_shift_m" and shown[3] == "conicity_en_15302"
+    assert list(map(float, shown[4::4])) == [float(f"{shift:.4g}") for shift in table["lateral_shift_m"][::stride]]
+    assert list(map(float, shown[6::4])) == [float(f"{change:.4g}") for change in table["rolling_radius_difference_m"][::stride]]
 
 
 @pytest.mark.parametrize("shift, column, low, high", [ # tread, flange root, flange

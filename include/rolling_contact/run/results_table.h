@@ -154,8 +154,9 @@ namespace RollingContact
     std::string csv() const;
 
     /** For the screen: those of the columns that exist, 4 significant digits,
-     * "-" for a cell never set. */
-    std::string screen_table(const std::vector<std::string> &columns) const;
+     * "-" for a cell never set. One row in @p stride is shown. */
+    std::string screen_table(const std::vector<std::string> &columns,
+                             const std::size_t               stride = 1) const;
 
   private:
     using Cell = std::variant<std::monostate,
