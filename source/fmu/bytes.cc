@@ -32,7 +32,10 @@ namespace RollingContact::Fmu
     const double value = number();
     if (!(value >= 0. && value <= static_cast<double>(most)))
       throw std::invalid_argument("a size is none");
-    return static_cast<std::size_t>(value);
+    const auto found = static_cast<std::size_t>(value);
+    if (static_cast<double>(found) != value)
+      throw std::invalid_argument("a size is none");
+    return found;
   }
 
   std::string BytesIn::text()

@@ -102,14 +102,14 @@ namespace RollingContact
             asked.yaw};
   }
 
-  PairSpec FmuWheel::scene_of(const Fmu::WheelQuestion &asked) const
+  PairSpec FmuWheel::scene_of(const Fmu::WheelQuestion         &asked,
+                              const Profiles::WheelsetPosition &place) const
   {
-    const Profiles::WheelsetPosition place = place_of(asked);
-    PairSpec                         scene = base;
-    scene.profiles.shift                   = place.shift;
-    scene.profiles.roll                    = place.roll;
-    scene.profiles.yaw                     = place.yaw;
-    scene.frame = std::make_shared<const Profiles::ContactFrame>(
+    PairSpec scene       = base;
+    scene.profiles.shift = place.shift;
+    scene.profiles.roll  = place.roll;
+    scene.profiles.yaw   = place.yaw;
+    scene.frame          = std::make_shared<const Profiles::ContactFrame>(
       profiles, place, false, Profiles::SurfaceKind::curved);
     scene.motion                       = {speed,
                                           asked.motion.about_axle * speed,
@@ -165,7 +165,7 @@ namespace RollingContact
 
   FmuWheel::Kept FmuWheel::made(const Recipe &recipe)
   {
-    const PairSpec   scene    = scene_of(recipe.asked);
+    const PairSpec   scene    = scene_of(recipe.asked, place_of(recipe.asked));
     const WantedMesh wanted   = wanted_mesh(scene);
     StateDemands     demands  = demands_of_kept_bodies();
     demands.pair.split_bodies = split_bodies;
@@ -217,9 +217,7 @@ namespace RollingContact
     return kept.front();
   }
 
-  Fmu::WheelAnswer FmuWheel::told(const Fmu::WheelQuestion &asked,
-                                  const PairSpec           &scene,
-                                  Kept                     &kept) const
+  Fmu::WheelAnswer FmuWheel::told(const PairSpec &scene, Kept &kept) const
   {
     SteadyState<3> &steady = kept.steady;
     estimate_errors(scene, steady);
@@ -230,12 +228,15 @@ namespace RollingContact
     state.max_pressure = steady.result.max_pressure;
     state.creep_work   = steady.result.creep_work;
     state.force_bound  = bounds.force
-                           ? *bounds.force * asked.friction * state.normal_force
+                           ? *bounds.force * scene.contact.friction_coefficient *
+                              state.normal_force
                            : std::numeric_limits<double>::max();
-    const Profiles::WheelsetPosition place = place_of(asked);
-    Fmu::WheelAnswer                 found;
-    found.roll   = place.roll;
-    found.values = quantities_of(state, *profiles, place);
+    Fmu::WheelAnswer found;
+    found.roll = *scene.profiles.roll;
+    found.values =
+      quantities_of(state,
+                    *profiles,
+                    {scene.profiles.shift, found.roll, scene.profiles.yaw});
     Fmu::BytesOut memory;
     memory.add(kept.recipe);
     memory.add(archived(steady.state));
@@ -246,9 +247,10 @@ namespace RollingContact
   Fmu::WheelAnswer FmuWheel::answer(const Fmu::WheelQuestion &asked,
                                     const std::string        &memory)
   {
+    const Profiles::WheelsetPosition place = place_of(asked);
     if (asked.load <= 0.)
-      return {place_of(asked).roll, {}, memory};
-    const PairSpec scene = scene_of(asked);
+      return {place.roll, {}, memory};
+    const PairSpec scene = scene_of(asked, place);
     Recipe         recipe{asked, {}};
     if (!memory.empty())
       {
@@ -256,7 +258,7 @@ namespace RollingContact
         const std::string last = in.text();
         Kept             &kept = bodies_of(Recipe::of_bytes(last));
         if (is_found(scene, unarchived(in.text()), kept))
-          return told(asked, scene, kept);
+          return told(scene, kept);
         // where patches were others may come again
         if (kept.suits(wanted_mesh(scene)))
           recipe.others = kept.patches;
@@ -268,6 +270,6 @@ namespace RollingContact
         !solve_from(scene, kept.first, true, kept.steady))
       throw ConvergenceError(
         shortfall(kept.steady.solver, scene.solver.controls.tolerance));
-    return told(asked, scene, kept);
+    return told(scene, kept);
   }
 } // namespace RollingContact

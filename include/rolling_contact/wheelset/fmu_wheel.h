@@ -68,7 +68,8 @@ namespace RollingContact
 
     Profiles::WheelsetPosition place_of(const Fmu::WheelQuestion &asked) const;
 
-    PairSpec scene_of(const Fmu::WheelQuestion &asked) const;
+    PairSpec scene_of(const Fmu::WheelQuestion         &asked,
+                      const Profiles::WheelsetPosition &place) const;
 
     /** Bodies of a recipe, which are made if they are not kept. */
     Kept &bodies_of(const Recipe &recipe);
@@ -86,9 +87,8 @@ namespace RollingContact
                   const ContactState &start,
                   Kept               &kept) const;
 
-    Fmu::WheelAnswer told(const Fmu::WheelQuestion &asked,
-                          const PairSpec           &scene,
-                          Kept                     &kept) const;
+    /** The state that was solved last on bodies. */
+    Fmu::WheelAnswer told(const PairSpec &scene, Kept &kept) const;
 
     const PairSpec                                     base;
     const double                                       speed;
