@@ -16,6 +16,7 @@
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/run/run_context.h>
 #include <rolling_contact/run/written_names.h>
+#include <rolling_contact/wheelset/fmu_server.h>
 
 #include <cstdlib>
 #include <functional>
@@ -265,7 +266,9 @@ namespace RollingContact
         {
           const SceneInput input = read_scene(command_line);
           check_for_ranks(input);
-          if (command_line.validate_only)
+          if (command_line.serves_fmu)
+            serve_fmu(input.scene);
+          else if (command_line.validate_only)
             {
               Log log(Verbosity::normal);
               for (const std::string &warning : input.warnings)

@@ -17,7 +17,7 @@ import zipfile
 
 from ctypes import byref, c_bool, c_char, c_char_p, c_double, c_int, c_size_t, c_uint32, c_void_p
 
-OK = 0
+OK, DISCARD = 0, 2
 
 Logger2 = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p, c_char_p, c_char_p)
 Logger3 = ctypes.CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
@@ -52,7 +52,12 @@ class Variable:
 
 
 class Refused(RuntimeError):
-    """A function did not answer OK; the text has what it logged."""
+    """A function did not answer OK; the text has what it logged. Attribute status: DISCARD where a step to other inputs
+    is possible."""
+
+    def __init__(self, text, status=None):
+        super().__init__(text)
+        self.status = status
 
 
 class Fmu:
@@ -121,7 +126,7 @@ class Instance:
         n_before = len(self.messages)
         status = self.fmu.function(name)(self.handle, *arguments)
         if status != OK:
-            raise Refused(f"{name}: status {status}: " + "; ".join(self.messages[n_before:]))
+            raise Refused(f"{name}: status {status}: " + "; ".join(self.messages[n_before:]), status)
 
     def initialise(self, start=0.0, stop=None, **values):
         """From its beginning to where steps are taken, with values of variables."""
@@ -148,6 +153,12 @@ class Instance:
         lengths = () if self.fmu.version == 2 else (c_size_t(len(values)),)
         name = "SetReal" if self.fmu.version == 2 else "SetFloat64"
         self.call(name, *self._references(list(values)), array, *lengths)
+
+    def set_text(self, **values):
+        """String parameters by name."""
+        array = (c_char_p * len(values))(*(value.encode() for value in values.values()))
+        lengths = () if self.fmu.version == 2 else (c_size_t(len(values)),)
+        self.call("SetString", *self._references(list(values)), array, *lengths)
 
     def get(self, *names):
         """Values of variables of one type; one value for one name."""

@@ -34,15 +34,17 @@ def co_simulate(
     yaw_damping=3e4,
     dt=2e-4,
     duration=4.0,
+    place=(0.0, 0.0, 0.0),
 ):
-    """Where it comes to rest: a dict of shift (m), yaw (rad), excess of the axle's speed over V/r0, forces by name (N),
+    """From a place (shift, yaw, excess) at rest. Where it comes to rest: a dict of shift (m), yaw (rad), excess of the axle's speed over V/r0, forces by name (N),
     whether both wheels are within the table, and what is left of the balances of force (N), moment and torque (N m)."""
     with Fmu(path) as fmu:
         wheelset = fmu.instantiate()
         r0 = float(fmu.by_name["wheel_radius"].start)
         speed = float(fmu.by_name["speed"].start)
-        y = v = yaw = yaw_rate = 0.0
-        axle = -speed / r0
+        v = yaw_rate = 0.0
+        y, yaw, excess = place
+        axle = -(1 + excess) * speed / r0
         frame = -half_wheelbase / radius
         inputs = {"right.load": axle_load / 2, "left.load": axle_load / 2, "curvature": 1 / radius}
         wheelset.initialise(**inputs)

@@ -45,10 +45,13 @@ namespace RollingContact::Fmu
       return text + "  </UnitDefinitions>\n";
     }
 
-    std::string log_categories()
+    std::string log_categories(const ForceKind kind)
     {
-      return "  <LogCategories>\n"
-             "    <Category name=\"logStatusWarning\"/>\n"
+      return std::string("  <LogCategories>\n"
+                         "    <Category name=\"logStatusWarning\"/>\n") +
+             (kind == ForceKind::program
+                ? "    <Category name=\"logStatusDiscard\"/>\n"
+                : "") +
              "    <Category name=\"logStatusError\"/>\n"
              "  </LogCategories>\n";
     }
@@ -68,6 +71,8 @@ namespace RollingContact::Fmu
             return fmt::format("{}", text.tape_circle);
           case Source::scene:
             return model_name;
+          case Source::program:
+            return text.program;
           default:
             return "";
         }
@@ -128,6 +133,11 @@ namespace RollingContact::Fmu
              " variableNamingConvention=\"structured\"";
     }
 
+    const char *tool_of(const ForceKind kind)
+    {
+      return kind == ForceKind::program ? " needsExecutionTool=\"true\"" : "";
+    }
+
     std::string experiment_of(const DescriptionText &text)
     {
       return fmt::format("  <DefaultExperiment startTime=\"0\" "
@@ -141,18 +151,19 @@ namespace RollingContact::Fmu
     std::string xml = declaration + ("<fmiModelDescription fmiVersion=\"2.0\"" +
                                      model_of(text, "guid") +
                                      " numberOfEventIndicators=\"0\">\n");
-    xml += fmt::format("  <CoSimulation modelIdentifier=\"{}\" "
+    xml += fmt::format("  <CoSimulation modelIdentifier=\"{}\"{} "
                        "canHandleVariableCommunicationStepSize=\"true\" "
                        "canBeInstantiatedOnlyOncePerProcess=\"false\" "
                        "canNotUseMemoryManagementFunctions=\"true\" "
                        "canGetAndSetFMUstate=\"true\" "
                        "canSerializeFMUstate=\"true\"/>\n",
-                       model_name);
-    xml += units_text() + log_categories() + experiment_of(text) +
+                       model_name,
+                       tool_of(text.kind));
+    xml += units_text() + log_categories(text.kind) + experiment_of(text) +
            "  <ModelVariables>\n";
     std::string  unknowns;
     unsigned int index = 0;
-    for (const Variable &variable : variables())
+    for (const Variable &variable : variables(text.kind))
       {
         ++index;
         const std::string start = start_of(variable, text);
@@ -177,16 +188,17 @@ namespace RollingContact::Fmu
     std::string xml =
       declaration + ("<fmiModelDescription fmiVersion=\"3.0\"" +
                      model_of(text, "instantiationToken") + ">\n");
-    xml += fmt::format("  <CoSimulation modelIdentifier=\"{}\" "
+    xml += fmt::format("  <CoSimulation modelIdentifier=\"{}\"{} "
                        "canHandleVariableCommunicationStepSize=\"true\" "
                        "canBeInstantiatedOnlyOncePerProcess=\"false\" "
                        "canGetAndSetFMUState=\"true\" "
                        "canSerializeFMUState=\"true\"/>\n",
-                       model_name);
-    xml += units_text() + log_categories() + experiment_of(text) +
+                       model_name,
+                       tool_of(text.kind));
+    xml += units_text() + log_categories(text.kind) + experiment_of(text) +
            "  <ModelVariables>\n";
     std::string outputs, unknowns;
-    for (const Variable &variable : variables())
+    for (const Variable &variable : variables(text.kind))
       {
         const std::string start   = start_of(variable, text);
         const char       *type    = type_of(variable, "Float64");

@@ -233,10 +233,10 @@ FMI2 fmi2Status fmi2SetBoolean(fmi2Component             c,
 FMI2 fmi2Status fmi2SetString(fmi2Component             c,
                               const fmi2ValueReference *references,
                               std::size_t               n,
-                              const fmi2String *)
+                              const fmi2String         *values)
 {
   return of_instance(c, __func__, [=, f = __func__](Instance &own) {
-    return own.none_of_type(f, references, n, "a string");
+    return own.set(f, references, n, values);
   });
 }
 

@@ -246,6 +246,18 @@ FMI3 fmi3Status fmi3GetString(fmi3Instance              instance,
   });
 }
 
+FMI3 fmi3Status fmi3SetString(fmi3Instance              instance,
+                              const fmi3ValueReference *references,
+                              std::size_t               n,
+                              const fmi3String         *values,
+                              std::size_t               n_values)
+{
+  return call_3(instance, __func__, [=, f = __func__](Instance &own) {
+    return n_values == n ? own.set(f, references, n, values)
+                         : own.refuse(f, "nValues is not the number of values");
+  });
+}
+
 FMI3 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState *state)
 {
   return call_3(instance, __func__, [=, f = __func__](Instance &own) {

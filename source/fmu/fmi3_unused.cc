@@ -82,15 +82,6 @@ FMI3 fmi3Status fmi3SetBoolean(fmi3Instance              instance,
   return none_of(instance, __func__, references, n, "Boolean");
 }
 
-FMI3 fmi3Status fmi3SetString(fmi3Instance              instance,
-                              const fmi3ValueReference *references,
-                              std::size_t               n,
-                              const fmi3String *,
-                              std::size_t)
-{
-  return none_of(instance, __func__, references, n, "String");
-}
-
 FMI3 fmi3Status fmi3GetBinary(fmi3Instance              instance,
                               const fmi3ValueReference *references,
                               std::size_t               n,

@@ -1,9 +1,8 @@
 #include <rolling_contact/fmu/instance.h>
+#include <rolling_contact/fmu/resources.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <stdexcept>
 
@@ -21,15 +20,6 @@ namespace RollingContact::Fmu
       return all;
     }
 
-    /** The content of a file; throws std::invalid_argument without. */
-    std::string content_of(const std::string &file)
-    {
-      std::ifstream in(file, std::ios::binary);
-      if (!in)
-        throw std::invalid_argument("there is no such file");
-      return {std::istreambuf_iterator<char>(in), {}};
-    }
-
     const char *name_of(const Mode mode)
     {
       return mode == Mode::instantiated   ? "before initialisation"
@@ -40,15 +30,11 @@ namespace RollingContact::Fmu
 
     const char *category_of(const Status status)
     {
-      return status == Status::warning ? "logStatusWarning" : "logStatusError";
+      return status == Status::warning   ? "logStatusWarning"
+             : status == Status::discard ? "logStatusDiscard"
+                                         : "logStatusError";
     }
 
-    const char *name_of(const VariableType type)
-    {
-      return type == VariableType::real      ? "a real number"
-             : type == VariableType::boolean ? "a boolean"
-                                             : "a string";
-    }
   } // namespace
 
   Instance::Instance(const std::string &name, const Logger &logger)
@@ -77,10 +63,13 @@ namespace RollingContact::Fmu
                                            const Logger      &logger)
   {
     std::unique_ptr<Instance> made(new Instance(name, logger));
-    std::string               file = resources + '/' + token_file;
+    const std::string         file = resources + '/' + token_file;
     try
       {
-        made->token = content_of(file);
+        const auto written = content_of(file);
+        if (!written)
+          throw std::invalid_argument(file + ": there is no such file");
+        made->token = *written;
         if (made->token != token)
           {
             made->log(Status::error,
@@ -89,12 +78,11 @@ namespace RollingContact::Fmu
                         ": description and resources are of two FMUs");
             return nullptr;
           }
-        file        = resources + '/' + table_file;
-        made->model = WheelsetModel::of_bytes(content_of(file));
+        made->model = ForceModel::of_folder(resources);
       }
     catch (const std::invalid_argument &problem)
       {
-        made->log(Status::error, file + ": " + problem.what());
+        made->log(Status::error, problem.what());
         return nullptr;
       }
     made->reset();
@@ -109,10 +97,12 @@ namespace RollingContact::Fmu
       logger(status, category, text);
   }
 
-  Status Instance::refuse(const std::string &function, const std::string &why)
+  Status Instance::refuse(const std::string &function,
+                          const std::string &why,
+                          const Status       status)
   {
-    log(Status::error, function + ": " + why);
-    return Status::error;
+    log(status, function + ": " + why);
+    return status;
   }
 
   bool Instance::is_in(const std::string                 &function,
@@ -169,6 +159,7 @@ namespace RollingContact::Fmu
   {
     if (!is_in(function, {Mode::initialising}))
       return Status::error;
+    model->begin(state.program);
     state.mode = Mode::stepping;
     return Status::ok;
   }
@@ -194,8 +185,18 @@ namespace RollingContact::Fmu
                     "the step ends at " + std::to_string(to) +
                       " s, beyond the stop time of " +
                       std::to_string(state.stop_time) + " s");
+    try
+      {
+        outputs();
+      }
+    catch (const NoForces &none)
+      {
+        return refuse(function, none.what(), Status::discard);
+      }
     state.time = to;
-    outputs();
+    if (!state.is_of_step)
+      state.memory = reached;
+    state.is_of_step = true;
     return Status::ok;
   }
 
@@ -210,171 +211,22 @@ namespace RollingContact::Fmu
   Status Instance::reset()
   {
     state        = Snapshot();
-    state.inputs = model.start;
-    is_found     = false;
+    state.inputs = model->wheelset.start;
     return Status::ok;
   }
 
   const Outputs &Instance::outputs()
   {
-    if (!is_found)
-      found = model.evaluate(state.inputs, state.least_speed);
-    is_found = true;
-    return found;
-  }
-
-  double Instance::value_of(const Variable &variable)
-  {
-    switch (variable.source)
+    if (!state.found)
       {
-        case Source::time:
-          return state.time;
-        case Source::input:
-          return state.inputs[variable.number];
-        case Source::least_speed:
-          return state.least_speed;
-        case Source::radius:
-          return model.radius;
-        case Source::tape_circle:
-          return model.tape_circle;
-        case Source::roll:
-          return outputs().roll;
-        default:
-          break;
+        ForceModel::Forces forces = model->forces(state.inputs,
+                                                  state.least_speed,
+                                                  state.memory,
+                                                  state.program);
+        reached                   = std::move(forces.memory);
+        state.found               = forces.outputs;
+        state.is_of_step          = false;
       }
-    const WheelOutputs &wheel = outputs().wheels[variable.wheel];
-    return variable.source == Source::quantity ? wheel.values[variable.number]
-           : variable.source == Source::inside ? wheel.inside
-                                               : wheel.force_ratio;
-  }
-
-  bool Instance::are_of_type(const std::string  &function,
-                             const unsigned int *references,
-                             const std::size_t   n,
-                             const void         *values,
-                             const VariableType  type)
-  {
-    if (n > 0 && (!references || !values))
-      {
-        refuse(function, "an array is NULL");
-        return false;
-      }
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        const Variable *variable = find_variable(references[k]);
-        if (variable && variable->type == type)
-          continue;
-        refuse(function,
-               "no variable that is " + std::string(name_of(type)) +
-                 " has the reference " + std::to_string(references[k]));
-        return false;
-      }
-    return true;
-  }
-
-  bool Instance::may_get(const std::string &function)
-  {
-    return is_in(function,
-                 {Mode::initialising, Mode::stepping, Mode::terminated});
-  }
-
-  Status Instance::get(const std::string  &function,
-                       const unsigned int *references,
-                       const std::size_t   n,
-                       double             *values)
-  {
-    if (!may_get(function) ||
-        !are_of_type(function, references, n, values, VariableType::real))
-      return Status::error;
-    for (std::size_t k = 0; k < n; ++k)
-      values[k] = value_of(*find_variable(references[k]));
-    return Status::ok;
-  }
-
-  Status Instance::get(const std::string  &function,
-                       const unsigned int *references,
-                       const std::size_t   n,
-                       std::vector<bool>  &values)
-  {
-    if (!may_get(function) ||
-        !are_of_type(function, references, n, &values, VariableType::boolean))
-      return Status::error;
-    values.clear();
-    for (std::size_t k = 0; k < n; ++k)
-      values.push_back(value_of(*find_variable(references[k])) != 0.);
-    return Status::ok;
-  }
-
-  Status Instance::get(const std::string  &function,
-                       const unsigned int *references,
-                       const std::size_t   n,
-                       const char        **values)
-  {
-    if (!may_get(function) ||
-        !are_of_type(function, references, n, values, VariableType::text))
-      return Status::error;
-    for (std::size_t k = 0; k < n; ++k)
-      values[k] = model_name;
-    return Status::ok;
-  }
-
-  bool Instance::may_set(const std::string &function,
-                         const Variable    &variable,
-                         const double       value)
-  {
-    std::string why;
-    if (!variable.is_set_by_importer())
-      why = "is not set from outside";
-    else if (variable.causality == Causality::parameter &&
-             state.mode == Mode::stepping)
-      why = "is fixed after initialisation";
-    else if (!std::isfinite(value))
-      why = "takes finite numbers only";
-    else if ((variable.source == Source::least_speed ||
-              (variable.source == Source::input &&
-               variable.number == friction)) &&
-             !(value > 0.))
-      why = "takes numbers above 0, not " + std::to_string(value);
-    if (!why.empty())
-      refuse(function, variable.name + ' ' + why);
-    return why.empty();
-  }
-
-  Status Instance::set(const std::string  &function,
-                       const unsigned int *references,
-                       const std::size_t   n,
-                       const double       *values)
-  {
-    if (!is_in(function,
-               {Mode::instantiated, Mode::initialising, Mode::stepping}) ||
-        !are_of_type(function, references, n, values, VariableType::real))
-      return Status::error;
-    // all of them or none
-    for (std::size_t k = 0; k < n; ++k)
-      if (!may_set(function, *find_variable(references[k]), values[k]))
-        return Status::error;
-    for (std::size_t k = 0; k < n; ++k)
-      {
-        const Variable &variable = *find_variable(references[k]);
-        (variable.source == Source::input ? state.inputs[variable.number]
-                                          : state.least_speed) = values[k];
-      }
-    is_found = is_found && n == 0;
-    return Status::ok;
-  }
-
-  Status Instance::none_of_type(const std::string  &function,
-                                const unsigned int *references,
-                                const std::size_t   n,
-                                const std::string  &type)
-  {
-    if (n == 0)
-      return Status::ok;
-    return refuse(function,
-                  "no variable that is " + type +
-                    (references
-                       ? " has the reference " + std::to_string(references[0])
-                       : " is there") +
-                    ", or it cannot be set");
+    return *state.found;
   }
 } // namespace RollingContact::Fmu

@@ -1,3 +1,4 @@
+#include <rolling_contact/fmu/bytes.h>
 #include <rolling_contact/fmu/instance.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace RollingContact::Fmu
 {
   namespace
   {
-    const char mark_of_state[] = "rolling-contact state 1";
+    const std::string mark_of_state = "rolling-contact state 2";
   } // namespace
 
   std::array<double, Snapshot::n_numbers> Snapshot::numbers() const
@@ -27,7 +28,53 @@ namespace RollingContact::Fmu
     return all;
   }
 
-  Snapshot Snapshot::of_numbers(const std::array<double, n_numbers> &numbers)
+  std::string Snapshot::bytes() const
+  {
+    BytesOut out;
+    out.add(program);
+    out.add(memory);
+    out.add(found ? 1. : 0.);
+    if (found)
+      {
+        out.add(is_of_step ? 1. : 0.);
+        out.add(found->roll);
+        for (const WheelOutputs &wheel : found->wheels)
+          {
+            out.add(wheel.values);
+            out.add(wheel.force_ratio);
+            out.add(wheel.inside ? 1. : 0.);
+          }
+      }
+    out.add(numbers());
+    return out.all();
+  }
+
+  Snapshot Snapshot::of_bytes(const std::string &bytes)
+  {
+    BytesIn  in(bytes);
+    Snapshot all;
+    all.program = in.text();
+    all.memory  = in.text();
+    if (in.number() != 0.)
+      {
+        all.is_of_step = in.number() != 0.;
+        Outputs outputs;
+        outputs.roll = in.number();
+        for (WheelOutputs &wheel : outputs.wheels)
+          {
+            wheel.values      = in.numbers<n_quantities>();
+            wheel.force_ratio = in.number();
+            wheel.inside      = in.number() != 0.;
+          }
+        all.found = outputs;
+      }
+    all.take(in.numbers<n_numbers>());
+    if (!in.at_end())
+      throw std::invalid_argument("there are more bytes than of a state");
+    return all;
+  }
+
+  void Snapshot::take(const std::array<double, n_numbers> &numbers)
   {
     for (const double number : numbers)
       if (!std::isfinite(number))
@@ -37,15 +84,13 @@ namespace RollingContact::Fmu
     if (!(numbers[friction] > 0. && others[0] > 0. && others[3] >= 0. &&
           others[3] <= last))
       throw std::invalid_argument("a number is none of a state");
-    Snapshot found;
-    std::copy_n(numbers.begin(), std::size_t(n_inputs), found.inputs.begin());
-    found.least_speed   = others[0];
-    found.time          = others[1];
-    found.stop_time     = others[2];
-    found.mode          = static_cast<Mode>(static_cast<int>(others[3]));
-    found.has_stop_time = others[4] != 0.;
-    found.is_set_up     = others[5] != 0.;
-    return found;
+    std::copy_n(numbers.begin(), std::size_t(n_inputs), inputs.begin());
+    least_speed   = others[0];
+    time          = others[1];
+    stop_time     = others[2];
+    mode          = static_cast<Mode>(static_cast<int>(others[3]));
+    has_stop_time = others[4] != 0.;
+    is_set_up     = others[5] != 0.;
   }
 
   Snapshot *Instance::kept(const std::string &function, const void *handle)
@@ -66,10 +111,11 @@ namespace RollingContact::Fmu
         Snapshot *old = kept(function, *handle);
         if (!old)
           return Status::error;
-        *old = state;
+        *old = to_keep();
         return Status::ok;
       }
-    *handle = snapshots.insert(std::make_unique<Snapshot>(state)).first->get();
+    *handle =
+      snapshots.insert(std::make_unique<Snapshot>(to_keep())).first->get();
     return Status::ok;
   }
 
@@ -78,8 +124,7 @@ namespace RollingContact::Fmu
     const Snapshot *snapshot = kept(function, handle);
     if (!snapshot)
       return Status::error;
-    state    = *snapshot;
-    is_found = false;
+    state = *snapshot;
     return Status::ok;
   }
 
@@ -107,7 +152,7 @@ namespace RollingContact::Fmu
       return refuse(function, "the place of the size is NULL");
     if (!kept(function, handle))
       return Status::error;
-    *size = sizeof(mark_of_state) + token.size() + sizeof(Snapshot().numbers());
+    *size = bytes_of(*kept(function, handle)).size();
     return Status::ok;
   }
 
@@ -116,18 +161,14 @@ namespace RollingContact::Fmu
                              char              *bytes,
                              const std::size_t  size)
   {
-    std::size_t needed = 0;
-    if (size_of_state(function, handle, &needed) != Status::ok)
+    const Snapshot *snapshot = kept(function, handle);
+    if (!snapshot)
       return Status::error;
-    if (!bytes || size < needed)
+    const std::string all = bytes_of(*snapshot);
+    if (!bytes || size < all.size())
       return refuse(function,
-                    "a state takes " + std::to_string(needed) + " bytes");
-    std::memcpy(bytes, mark_of_state, sizeof(mark_of_state));
-    std::memcpy(bytes + sizeof(mark_of_state), token.data(), token.size());
-    const auto numbers = kept(function, handle)->numbers();
-    std::memcpy(bytes + sizeof(mark_of_state) + token.size(),
-                numbers.data(),
-                sizeof(numbers));
+                    "a state takes " + std::to_string(all.size()) + " bytes");
+    std::memcpy(bytes, all.data(), all.size());
     return Status::ok;
   }
 
@@ -136,29 +177,47 @@ namespace RollingContact::Fmu
                                const std::size_t  size,
                                void             **handle)
   {
-    const std::size_t head = sizeof(mark_of_state) + token.size();
     if (!bytes || !handle)
       return refuse(function, "bytes or the place of the state are NULL");
-    std::array<double, Snapshot::n_numbers> numbers;
-    if (size != head + sizeof(numbers) ||
-        std::memcmp(bytes, mark_of_state, sizeof(mark_of_state)) != 0 ||
-        std::memcmp(bytes + sizeof(mark_of_state),
-                    token.data(),
-                    token.size()) != 0)
-      return refuse(function, "the bytes are no state of this FMU");
-    std::memcpy(numbers.data(), bytes + head, sizeof(numbers));
     try
       {
+        const std::string all(bytes, size);
+        BytesIn           in(all);
+        if (in.text() != mark_of_state || in.text() != token)
+          throw std::invalid_argument("they are of another FMU");
+        const double      sum  = in.number();
+        const std::string rest = in.text();
+        if (sum != check_sum(rest) || !in.at_end())
+          throw std::invalid_argument("they were changed");
         *handle =
-          snapshots
-            .insert(std::make_unique<Snapshot>(Snapshot::of_numbers(numbers)))
+          snapshots.insert(std::make_unique<Snapshot>(Snapshot::of_bytes(rest)))
             .first->get();
       }
     catch (const std::invalid_argument &problem)
       {
         return refuse(function,
-                      std::string("the bytes are no state: ") + problem.what());
+                      std::string("the bytes are no state of this FMU: ") +
+                        problem.what());
       }
     return Status::ok;
+  }
+
+  std::string Instance::bytes_of(const Snapshot &snapshot) const
+  {
+    const std::string all = snapshot.bytes();
+    BytesOut          out;
+    out.add(mark_of_state);
+    out.add(token);
+    out.add(check_sum(all));
+    out.add(all);
+    return out.all();
+  }
+
+  Snapshot Instance::to_keep() const
+  {
+    Snapshot now = state;
+    if (!now.is_of_step) // what was looked at follows from the memory again
+      now.found.reset();
+    return now;
   }
 } // namespace RollingContact::Fmu

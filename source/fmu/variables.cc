@@ -68,17 +68,29 @@ namespace RollingContact::Fmu
        "bound of the error of the force vector, of the states of the table "
        "and between them; the largest number where no bound is known"}};
 
-    void add_wheel(const unsigned int wheel, std::vector<Variable> &all)
+    const char bound_of_states[] =
+      "bound of the error of the force vector; the largest number where no "
+      "bound is known";
+
+    const char inside_of_states[] =
+      "whether the state is that of the inputs: not below the least speed";
+
+    void add_wheel(const unsigned int     wheel,
+                   const ForceKind        kind,
+                   std::vector<Variable> &all)
     {
-      const std::string side  = wheel == 0 ? "right." : "left.";
-      unsigned int      first = wheel == 0 ? first_of_right : first_of_left;
+      const bool        has_table = kind == ForceKind::table;
+      const std::string side      = wheel == 0 ? "right." : "left.";
+      unsigned int      first     = wheel == 0 ? first_of_right : first_of_left;
       for (std::size_t q = 0; q < n_quantities; ++q)
         all.push_back({first++,
                        side + quantity_texts[q].name,
                        VariableType::real,
                        Causality::output,
                        quantity_texts[q].unit,
-                       quantity_texts[q].description,
+                       q == force_bound && !has_table
+                         ? bound_of_states
+                         : quantity_texts[q].description,
                        Source::quantity,
                        q,
                        wheel});
@@ -96,14 +108,17 @@ namespace RollingContact::Fmu
                      VariableType::boolean,
                      Causality::output,
                      "",
-                     "whether the state is within all axes of the table; if "
-                     "not, outputs are those of the nearest state that is",
+                     has_table
+                       ? "whether the state is within all axes of the table; "
+                         "if not, outputs are those of the nearest state that "
+                         "is"
+                       : inside_of_states,
                      Source::inside,
                      0,
                      wheel});
     }
 
-    std::vector<Variable> make_variables()
+    std::vector<Variable> make_variables(const ForceKind kind)
     {
       std::vector<Variable> all;
       all.push_back({0,
@@ -141,6 +156,14 @@ namespace RollingContact::Fmu
           "least speed: below it creepages are those at this speed, and "
           "inside_table is false",
           Source::least_speed);
+      if (kind == ForceKind::program)
+        add(51,
+            "program",
+            Type::text,
+            Causality::parameter,
+            "",
+            "path of the program rolling-contact that solves the states",
+            Source::program);
       add(60,
           "wheel_radius",
           Type::real,
@@ -171,20 +194,24 @@ namespace RollingContact::Fmu
           "about forwards",
           Source::roll);
       for (const unsigned int wheel : {0, 1})
-        add_wheel(wheel, all);
+        add_wheel(wheel, kind, all);
       return all;
     }
   } // namespace
 
-  const std::vector<Variable> &variables()
+  const std::vector<Variable> &variables(const ForceKind kind)
   {
-    static const std::vector<Variable> all = make_variables();
-    return all;
+    static const std::vector<Variable> with_table =
+                                         make_variables(ForceKind::table),
+                                       with_program =
+                                         make_variables(ForceKind::program);
+    return kind == ForceKind::table ? with_table : with_program;
   }
 
-  const Variable *find_variable(const unsigned int reference)
+  const Variable *find_variable(const unsigned int reference,
+                                const ForceKind    kind)
   {
-    const std::vector<Variable> &all = variables();
+    const std::vector<Variable> &all = variables(kind);
     const auto                   at =
       std::lower_bound(all.begin(),
                        all.end(),

@@ -36,56 +36,109 @@ namespace RollingContact::Fmu
             about_axle};
   }
 
+  std::array<double, WheelQuestion::n_numbers> WheelQuestion::numbers() const
+  {
+    return {{on_own,
+             on_other,
+             yaw,
+             rail_down,
+             load,
+             friction,
+             motion.aside,
+             motion.turn,
+             motion.about_axle}};
+  }
+
+  WheelQuestion
+  WheelQuestion::of_numbers(const std::array<double, n_numbers> &numbers)
+  {
+    const auto [on_own, on_other, yaw, down, load, mu, aside, turn, axle] =
+      numbers;
+    return {on_own, on_other, yaw, down, load, mu, {aside, turn, axle}};
+  }
+
+  WheelQuestion question_of(const Inputs      &inputs,
+                            const unsigned int wheel,
+                            const double       least_speed)
+  {
+    const bool   is_left = wheel == 1;
+    const double side    = is_left ? -1. : 1.;
+    const Input  own_y   = is_left ? left_rail_y : right_rail_y,
+                other_y  = is_left ? right_rail_y : left_rail_y,
+                own_z    = is_left ? left_rail_z : right_rail_z,
+                other_z  = is_left ? right_rail_z : left_rail_z;
+    const double V       = std::max(inputs[speed], least_speed);
+    return {side * (inputs[lateral_shift] - inputs[own_y]),
+            side * (inputs[lateral_shift] - inputs[other_y]),
+            side * inputs[yaw],
+            inputs[own_z] - inputs[other_z],
+            inputs[is_left ? left_load : right_load],
+            std::max(inputs[friction], least_friction),
+            {side * inputs[lateral_velocity] / V,
+             side * (inputs[curvature] + inputs[yaw_rate] / V),
+             inputs[axle_speed] / V}};
+  }
+
+  WheelOutputs outputs_of(const Quantities  &values,
+                          const bool         inside,
+                          const Inputs      &inputs,
+                          const unsigned int wheel)
+  {
+    WheelOutputs found{values, 0., inside};
+    const double side = wheel == 1 ? -1. : 1.;
+    for (const Quantity q :
+         {force_y, moment_x, moment_z, place_y, contact_angle})
+      found.values[q] *= side;
+    found.values[place_y] += inputs[wheel == 1 ? left_rail_y : right_rail_y];
+    if (!inside)
+      found.values[force_bound] = std::numeric_limits<double>::max();
+    found.force_ratio =
+      found.values[force_y] / inputs[wheel == 1 ? left_load : right_load];
+    return found;
+  }
+
+  void Wheelset::check() const
+  {
+    const auto is_finite = [](const double value) {
+      return std::isfinite(value);
+    };
+    if (!(radius > 0. && tape_circle > 0. && is_finite(radius) &&
+          is_finite(tape_circle) &&
+          std::all_of(start.begin(), start.end(), is_finite)))
+      throw std::invalid_argument("a dimension of the wheelset is none");
+  }
+
   WheelOutputs WheelsetModel::wheel(const Inputs      &inputs,
                                     const unsigned int wheel,
                                     const double       least_speed,
                                     double            &roll) const
   {
-    const bool   is_left  = wheel == 1;
-    const double side     = is_left ? -1. : 1.;
-    const Input  own_y    = is_left ? left_rail_y : right_rail_y,
-                other_y   = is_left ? right_rail_y : left_rail_y,
-                own_z     = is_left ? left_rail_z : right_rail_z,
-                other_z   = is_left ? right_rail_z : left_rail_z,
-                load      = is_left ? left_load : right_load;
-    const double on_own   = side * (inputs[lateral_shift] - inputs[own_y]),
-                 on_other = side * (inputs[lateral_shift] - inputs[other_y]),
-                 yawed = side * inputs[yaw], Q = inputs[load],
-                 V      = std::max(inputs[speed], least_speed);
-    const double rolled = table.resting_roll(on_own, on_other, yawed) +
-                          (inputs[own_z] - inputs[other_z]) / (2 * tape_circle);
-    roll = side * rolled;
+    const WheelQuestion asked = question_of(inputs, wheel, least_speed);
+    const double        rolled =
+      table.resting_roll(asked.on_own, asked.on_other, asked.yaw) +
+      asked.rail_down / (2 * tape_circle);
+    roll = (wheel == 1 ? -1. : 1.) * rolled;
+    if (asked.load <= 0.)
+      return {};
     // a wheel that is rolled more than the states of its place is one that is
     // shifted
-    double shift = on_own;
+    double shift = asked.on_own;
     for (unsigned int k = 0; k < rounds_of_roll; ++k)
-      shift =
-        on_own - radius * (rolled - table.resting_roll(shift, shift, yawed));
-    WheelOutputs found;
-    if (Q <= 0.)
-      return found;
-    const WheelMotion motion{side * inputs[lateral_velocity] / V,
-                             side * (inputs[curvature] + inputs[yaw_rate] / V),
-                             inputs[axle_speed] / V};
-    const auto [along, across] = creepages(motion, yawed);
-    const double      mu       = std::max(inputs[friction], least_friction);
+      shift = asked.on_own -
+              radius * (rolled - table.resting_roll(shift, shift, asked.yaw));
+    const auto [along, across] = creepages(asked.motion, asked.yaw);
+    const double      mu       = asked.friction;
     const TableValues values   = table.at({{shift,
-                                            yawed,
-                                            motion.turn,
-                                            Q,
+                                            asked.yaw,
+                                            asked.motion.turn,
+                                            asked.load,
                                             (along - table.offset(shift)) / mu,
                                             across / mu,
                                             mu}});
-    found.values               = values.values;
-    found.inside               = values.inside && inputs[speed] >= least_speed;
-    for (const Quantity q :
-         {force_y, moment_x, moment_z, place_y, contact_angle})
-      found.values[q] *= side;
-    found.values[place_y] += inputs[own_y];
-    if (!found.inside)
-      found.values[force_bound] = std::numeric_limits<double>::max();
-    found.force_ratio = found.values[force_y] / Q;
-    return found;
+    return outputs_of(values.values,
+                      values.inside && inputs[speed] >= least_speed,
+                      inputs,
+                      wheel);
   }
 
   Outputs WheelsetModel::evaluate(const Inputs &inputs,
@@ -124,9 +177,7 @@ namespace RollingContact::Fmu
     model.radius      = all[0];
     model.tape_circle = all[1];
     std::copy_n(all.begin() + 2, std::size_t(n_inputs), model.start.begin());
-    for (std::size_t k = 0; k < at; ++k)
-      if (!std::isfinite(all[k]) || (k < 2 && !(all[k] > 0.)))
-        throw std::invalid_argument("a dimension of the wheelset is none");
+    model.check();
     model.table = WheelTable::of_numbers(all, at);
     if (at != all.size())
       throw std::invalid_argument("there is more than a table");

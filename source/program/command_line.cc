@@ -33,6 +33,9 @@ namespace RollingContact
         "continue the transient run, table, map or limit cycles in the folder "
         "where they stopped")("validate",
                               "read and check the parameters, write nothing")(
+        "states",
+        "solve the states of a scene of Analysis = fmu for an FMU at the other "
+        "end of the standard input")(
         "print-parameters", "print every parameter with its documentation")(
         "parameters-as-json",
         "print them for other programs, with the values that are allowed")(
@@ -118,6 +121,7 @@ namespace RollingContact
     print_parameters = values.count("print-parameters") > 0;
     print_json       = values.count("parameters-as-json") > 0;
     resume           = values.count("resume") > 0;
+    serves_fmu       = values.count("states") > 0;
     if (values.count("output") > 0)
       {
         output_folder = values["output"].as<std::string>();

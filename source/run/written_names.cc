@@ -51,7 +51,7 @@ namespace RollingContact
       "(wheel|rail)(_[0-9]+)?(_(right|left))?\\.(txt|whl|prw|ban|prr)";
 
     const std::string others =
-      "(original|used)\\.prm|wheelset_fmi[23]\\.fmu|(table|contact_problem)\\.h5"
+      "(original|used)\\.prm|wheelset(_states)?_fmi[23]\\.fmu|(table|contact_problem)\\.h5"
       "|pressure\\.wav"
       "|verdict\\.md|limit_cycle_state\\.txt";
   } // namespace

@@ -1,12 +1,11 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/files.h>
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/fmu/description.h>
-#include <rolling_contact/fmu/stored_zip.h>
 #include <rolling_contact/tables/table_rows.h>
 #include <rolling_contact/wheelset/fmu_export.h>
+#include <rolling_contact/wheelset/fmu_package.h>
 #include <rolling_contact/wheelset/fmu_points.h>
 
+#include <cmath>
 #include <map>
 
 namespace RollingContact
@@ -16,48 +15,6 @@ namespace RollingContact
     /// relative changes of a load at which there is no state
     const std::array<double, 6> loads_beside{
       {1e-3, -1e-3, 2e-3, -2e-3, -5e-3, 5e-3}};
-
-    /**
-     * The binary of FMUs, beside the program or in the folder of libraries of
-     * its prefix. Throws InputError if it is in none of them.
-     */
-    std::string fmu_binary()
-    {
-      namespace fs = std::filesystem;
-      std::error_code error;
-      const fs::path  program =
-        fs::read_symlink("/proc/self/exe", error).parent_path();
-      const std::string     name = std::string(Fmu::model_name) + ".so";
-      std::vector<fs::path> folders{program, program.parent_path()};
-      for (const char *library : {"lib", "lib64"})
-        {
-          const fs::path all = program.parent_path() / library;
-          folders.push_back(all / "rolling-contact");
-          for (const auto &entry : fs::directory_iterator(all, error))
-            folders.push_back(entry.path() / "rolling-contact");
-        }
-      for (const fs::path &folder : folders)
-        if (fs::is_regular_file(folder / name, error))
-          return read_bytes(folder / name);
-      throw InputError("Analysis = fmu: " + name +
-                       ", which an FMU holds, is "
-                       "neither beside the program nor in lib/rolling-contact "
-                       "of its prefix; build the target " +
-                       Fmu::model_name + " or install the program again.");
-    }
-
-    std::string documentation(const std::string &title)
-    {
-      return "<!DOCTYPE html>\n<html><head><title>" + title +
-             "</title></head><body>\n<h1>" + title +
-             "</h1>\n<p>Forces between the wheels of a wheelset and its rails, "
-             "from a table of states by finite elements, by rolling-contact. "
-             "SI units; x forwards, y to the right, z down; forces act on the "
-             "wheels, moments are about the centre of the wheelset. The scene "
-             "is resources/scene.prm.</p>\n<p>The binary is under "
-             "LGPL-2.1-or-later and needs nothing but the libraries of C and "
-             "C++.</p>\n</body></html>\n";
-    }
   } // namespace
 
   FmuExport::FmuExport(const Situation &scene, RunContext &context)
@@ -171,45 +128,48 @@ namespace RollingContact
           (errors.n_unsolved > 0 ? "; " + std::to_string(errors.n_unsolved) +
                                      " more were not solved"
                                  : ""));
-    write(model);
+    write_fmus_of_table(scene, model, context);
+    if (scene.inputs->own<FmuParameters>().kind == FmuKind::both)
+      write_fmus_of_states(scene, context);
     is_written = true;
   }
 
-  void FmuExport::write(const Fmu::WheelsetModel &model) const
+  namespace
   {
-    Fmu::DescriptionText text;
-    text.title = "Wheelset with forces of rolling contact: " +
-                 scene.profiles.wheel_profile + " on " +
-                 scene.profiles.rail_profile;
-    text.version            = context.report.version;
-    text.start              = model.start;
-    text.radius             = model.radius;
-    text.tape_circle        = model.tape_circle;
-    const std::string table = model.bytes(),
-                      prm = read_bytes(context.folder.get_path() / "used.prm"),
-                      binary = fmu_binary();
-    text.token               = Fmu::token_of(Fmu::description_2(text) +
-                               Fmu::description_3(text) + table + prm);
-    for (const unsigned int version : {2, 3})
+    /** FMUs whose states the program solves: there is nothing to compute. */
+    class FmuOfStates : public Analysis
+    {
+    public:
+      FmuOfStates(const Situation &scene, RunContext &context)
+        : scene(scene)
+        , context(context)
+      {}
+
+      void run() override
       {
-        const std::string folder =
-          version == 2 ? "binaries/linux64/" : "binaries/x86_64-linux/";
-        context.folder.write_atomically(
-          "wheelset_fmi" + std::to_string(version) + ".fmu",
-          Fmu::stored_zip(
-            {{"modelDescription.xml",
-              version == 2 ? Fmu::description_2(text)
-                           : Fmu::description_3(text)},
-             {folder + Fmu::model_name + ".so", binary},
-             {std::string("resources/") + Fmu::token_file, text.token},
-             {std::string("resources/") + Fmu::table_file, table},
-             {"resources/scene.prm", prm},
-             {"documentation/index.html", documentation(text.title)}}));
+        write_fmus_of_states(scene, context);
+        context.report.errors.push_back(
+          {"forces",
+           std::nan(""),
+           "",
+           "each state that is solved tells its bound, force_bound",
+           true,
+           ""});
       }
-    context.report.set_finding("fmu",
-                               "wheelset_fmi2.fmu and wheelset_fmi3.fmu, " +
-                                 text.token);
-  }
+
+    private:
+      const Situation &scene;
+      RunContext      &context;
+    };
+
+    std::unique_ptr<Analysis> make_fmus(const Situation &scene,
+                                        RunContext      &context)
+    {
+      if (scene.inputs->own<FmuParameters>().kind == FmuKind::states)
+        return std::make_unique<FmuOfStates>(scene, context);
+      return std::make_unique<FmuExport>(scene, context);
+    }
+  } // namespace
 
   AnalysisKind fmu_kind()
   {
@@ -217,6 +177,7 @@ namespace RollingContact
       "fmu",
       "a wheelset as a functional mock-up unit for vehicle codes, see section "
       "FMU");
+    kind.in_3d    = &make_fmus;
     kind.sections = {"FMU", "Table"};
     kind.own_section.emplace(FmuParameters());
     kind.on_ranks        = false;

@@ -77,6 +77,17 @@ namespace RollingContact
   void FmuParameters::declare(Entries &entries)
   {
     entries.section("FMU").read_by_analyses("fmu");
+    entries
+      .choice("Kind",
+              kind,
+              std::vector<NamedValue<FmuKind>>{{"table", FmuKind::table},
+                                               {"states", FmuKind::states},
+                                               {"both", FmuKind::both}})
+      .help = "`table`: the units hold a table of forces, which is computed "
+              "now, and run anywhere. `states`: they have this program solve "
+              "each state when it is asked for; it must be on the machine that "
+              "they run on, and no table is computed. `both`: units of both "
+              "kinds.";
     for (std::size_t d = 0; d < Fmu::n_axes; ++d)
       {
         const AxisEntry &axis = axis_entries[d];

@@ -17,36 +17,74 @@ namespace RollingContact
     /// m between rolling radii, and how many to both sides have a mean
     const double spacing  = 2e-4;
     const int    n_beside = 10;
-
-    Fmu::WheelsetModel wheelset_of(const Situation &scene)
-    {
-      const double                   radius = scene.wheel.radius;
-      const Profiles::WheelsetMotion motion =
-        scene.profiles.motion(scene.contact.rolling_speed());
-      Fmu::Inputs start{};
-      start[Fmu::lateral_shift]    = scene.profiles.shift;
-      start[Fmu::yaw]              = scene.profiles.yaw;
-      start[Fmu::lateral_velocity] = motion.to_the_side;
-      start[Fmu::axle_speed] =
-        motion.pitch_rate.value_or(-motion.speed / radius);
-      start[Fmu::speed]      = motion.speed;
-      start[Fmu::curvature]  = motion.curvature;
-      start[Fmu::friction]   = scene.contact.friction_coefficient;
-      start[Fmu::right_load] = start[Fmu::left_load] =
-        *scene.contact.vertical_load;
-      return {radius, scene.profiles.tape_circle(), start, {}};
-    }
   } // namespace
+
+  Fmu::Wheelset fmu_wheelset(const Situation &scene)
+  {
+    const double                   radius = scene.wheel.radius;
+    const Profiles::WheelsetMotion motion =
+      scene.profiles.motion(scene.contact.rolling_speed());
+    Fmu::Inputs start{};
+    start[Fmu::lateral_shift]    = scene.profiles.shift;
+    start[Fmu::yaw]              = scene.profiles.yaw;
+    start[Fmu::lateral_velocity] = motion.to_the_side;
+    start[Fmu::axle_speed] = motion.pitch_rate.value_or(-motion.speed / radius);
+    start[Fmu::speed]      = motion.speed;
+    start[Fmu::curvature]  = motion.curvature;
+    start[Fmu::friction]   = scene.contact.friction_coefficient;
+    start[Fmu::right_load] = start[Fmu::left_load] =
+      *scene.contact.vertical_load;
+    return {radius, scene.profiles.tape_circle(), start};
+  }
+
+  std::shared_ptr<const Profiles::WheelOnRail>
+  fmu_profiles(const Situation &scene)
+  {
+    return std::make_shared<const Profiles::WheelOnRail>(
+      scene.profiles.wheel(scene.inputs->prm_folder),
+      scene.profiles.rail(scene.inputs->prm_folder),
+      scene.wheel.radius,
+      scene.profiles.tape_circle());
+  }
+
+  Fmu::Quantities quantities_of(const SolvedWheel                &state,
+                                const Profiles::WheelOnRail      &profiles,
+                                const Profiles::WheelsetPosition &place)
+  {
+    const double shift  = place.shift,
+                 height = profiles.first_contact(place).height -
+                          profiles.wheel_radius();
+    const double force_x = state.forces.force_x, force_y = state.forces.force_y,
+                 force_z = state.forces.force_z,
+                 moment_x =
+                   state.forces.moment_x - shift * force_z + height * force_y,
+                 moment_z = state.forces.moment_z + shift * force_x;
+    const double sy = std::sin(place.yaw), cy = std::cos(place.yaw),
+                 sr = std::sin(place.roll), cr = std::cos(place.roll);
+    Fmu::Quantities found;
+    found[Fmu::force_x]  = force_x;
+    found[Fmu::force_y]  = force_y;
+    found[Fmu::force_z]  = force_z;
+    found[Fmu::moment_x] = moment_x;
+    // the component along the axle is known
+    found[Fmu::moment_y] =
+      (state.forces.axle_torque + sy * moment_x - sr * cy * moment_z) /
+      (cr * cy);
+    found[Fmu::moment_z]      = moment_z;
+    found[Fmu::normal_force]  = state.normal_force;
+    found[Fmu::place_y]       = state.forces.pressure_y;
+    found[Fmu::contact_angle] = state.forces.pressure_angle;
+    found[Fmu::max_pressure]  = state.max_pressure;
+    found[Fmu::friction_work] = state.creep_work;
+    found[Fmu::force_bound]   = state.force_bound;
+    return found;
+  }
 
   FmuStates::FmuStates(const Situation &scene)
     : axes(scene.inputs->own<FmuParameters>().all_axes(scene))
-    , wheelset(wheelset_of(scene))
+    , wheelset(fmu_wheelset(scene))
     , speed(scene.contact.rolling_speed())
-    , profiles(std::make_shared<const Profiles::WheelOnRail>(
-        scene.profiles.wheel(scene.inputs->prm_folder),
-        scene.profiles.rail(scene.inputs->prm_folder),
-        scene.wheel.radius,
-        scene.profiles.tape_circle()))
+    , profiles(fmu_profiles(scene))
   {
     offsets = mean_offsets();
   }
@@ -182,37 +220,23 @@ namespace RollingContact
           "give more Mesh/Elements across patch, or other axes.");
       return *value;
     };
-    const double shift = point[Fmu::shift_axis], yaw = point[Fmu::yaw_axis],
-                 roll   = resting_roll(shift, shift, yaw),
-                 height = profiles->first_contact({shift, roll, yaw}).height -
-                          wheelset.radius;
-    const double force_x  = number("force_track_x_N"),
-                 force_y  = number("force_track_y_N"),
-                 force_z  = -number("force_track_z_N"),
-                 moment_x = number("moment_track_x_Nm") - shift * force_z +
-                            height * force_y,
-                 moment_z = number("moment_track_z_Nm") + shift * force_x;
-    const double sy = std::sin(yaw), cy = std::cos(yaw), sr = std::sin(roll),
-                 cr = std::cos(roll);
-    Fmu::Quantities found;
-    found[Fmu::force_x]  = force_x;
-    found[Fmu::force_y]  = force_y;
-    found[Fmu::force_z]  = force_z;
-    found[Fmu::moment_x] = moment_x;
-    // the component along the axle is known
-    found[Fmu::moment_y] =
-      (number("axle_torque_Nm") + sy * moment_x - sr * cy * moment_z) /
-      (cr * cy);
-    found[Fmu::moment_z]      = moment_z;
-    found[Fmu::normal_force]  = number("normal_force_N");
-    found[Fmu::place_y]       = number("pressure_y_track_m");
-    found[Fmu::contact_angle] = number("pressure_angle_rad");
-    found[Fmu::max_pressure]  = number("max_pressure_Pa");
-    found[Fmu::friction_work] = number("creep_work_J/m");
-    found[Fmu::force_bound]   = number("bound_force/muN") *
-                              point[Fmu::friction_axis] *
-                              found[Fmu::normal_force];
-    return found;
+    const double shift = point[Fmu::shift_axis], yaw = point[Fmu::yaw_axis];
+    SolvedWheel  state;
+    state.forces.force_x        = number("force_track_x_N");
+    state.forces.force_y        = number("force_track_y_N");
+    state.forces.force_z        = -number("force_track_z_N");
+    state.forces.moment_x       = number("moment_track_x_Nm");
+    state.forces.moment_z       = number("moment_track_z_Nm");
+    state.forces.axle_torque    = number("axle_torque_Nm");
+    state.forces.pressure_y     = number("pressure_y_track_m");
+    state.forces.pressure_angle = number("pressure_angle_rad");
+    state.normal_force          = number("normal_force_N");
+    state.max_pressure          = number("max_pressure_Pa");
+    state.creep_work            = number("creep_work_J/m");
+    state.force_bound = number("bound_force/muN") * point[Fmu::friction_axis] *
+                        state.normal_force;
+    return RollingContact::quantities_of(
+      state, *profiles, {shift, resting_roll(shift, shift, yaw), yaw});
   }
 
   Fmu::WheelsetModel

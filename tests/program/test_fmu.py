@@ -24,9 +24,10 @@ from fmu_in_curve import co_simulate
 
 SCENE = "wheelset_fmu"
 SIX = {"Mesh/Elements across patch": 6}
-SMALL = {**SIX, "FMU/Lateral shift": "-0.003 : 0.003 : 3", "FMU/Slip along": "-0.01, 0, 0.01", "FMU/Slip across": "-0.01, 0, 0.01",
+SMALL = {**SIX, "FMU/Kind": "both", "FMU/Lateral shift": "-0.003 : 0.003 : 3", "FMU/Slip along": "-0.01, 0, 0.01", "FMU/Slip across": "-0.01, 0, 0.01",
          "FMU/Load": "60e3", "FMU/Yaw": 0, "FMU/Curvature": 0, "FMU/Points": 6}
 NAMES = ("wheelset_fmi2.fmu", "wheelset_fmi3.fmu")
+OF_STATES = ("wheelset_states_fmi2.fmu", "wheelset_states_fmi3.fmu")
 BASE_UNITS = {"m": "m", "rad": "rad", "s": "s", "N": "kg m s-2", "Pa": "kg m-1 s-2", "N.m": "kg m2 s-2"}
 FUNCTIONS = {  # that FMI 2.0 (44) and 3.0 (75) name
     2: """
@@ -56,9 +57,16 @@ def small(shared):
     return shared(SCENE, SMALL, output="small")
 
 
-@pytest.fixture(scope="module", params=[2, 3], ids=["fmi2", "fmi3"])
+@pytest.fixture(scope="module", params=NAMES, ids=["fmi2", "fmi3"])
 def fmu(request, small):
-    with Fmu(small / f"wheelset_fmi{request.param}.fmu") as made:
+    with Fmu(small / request.param) as made:
+        yield made
+
+
+@pytest.fixture(scope="module", params=[*NAMES, *OF_STATES], ids=["fmi2", "fmi3", "fmi2 of states", "fmi3 of states"])
+def any_fmu(request, small):
+    """One of either kind."""
+    with Fmu(small / request.param) as made:
         yield made
 
 
@@ -69,7 +77,7 @@ def tool(*command):
 
 def test_what_a_run_writes(small):
     assert re.search("^points +[0-9] of [0-9] states", small.out, re.M), "how many points are within the bound"
-    files = (*NAMES, "fmu_points.csv", "results.csv")
+    files = (*NAMES, *OF_STATES, "fmu_points.csv", "results.csv")
     assert small.has(*files)
     assert all(f'"{file}"' in small.text("run.json") for file in files)
     assert len(small.table("fmu_points.csv")) == 6
@@ -81,7 +89,7 @@ def test_no_points_no_rows(program):
 
 
 def test_the_same_bytes_again(program, small):
-    same_files(program(SCENE, SMALL, output="small_too"), small, *NAMES)
+    same_files(program(SCENE, SMALL, output="small_too"), small, *NAMES, *OF_STATES)
 
 
 def test_what_is_packed(tmp_path, small):
@@ -107,12 +115,12 @@ def refused(function, *words):
     assert all(word in str(refusal.value) for word in words)
 
 
-def test_description(fmu):
+def test_description(any_fmu):
     """References and names are unique, units are declared, what is unknown is listed, starts are numbers."""
-    assert fmu.function("GetVersion", ctypes.c_char_p)() == b"%d.0" % fmu.version
-    variables = fmu.variables
-    assert len({v.reference for v in variables}) == len(fmu.by_name) == len(variables)
-    units = {unit.get("name"): dict(unit[0].attrib) for unit in fmu.description.find("UnitDefinitions")}
+    assert any_fmu.function("GetVersion", ctypes.c_char_p)() == b"%d.0" % any_fmu.version
+    variables = any_fmu.variables
+    assert len({v.reference for v in variables}) == len(any_fmu.by_name) == len(variables)
+    units = {unit.get("name"): dict(unit[0].attrib) for unit in any_fmu.description.find("UnitDefinitions")}
     for name, exponents in units.items():
         if name in BASE_UNITS:
             assert " ".join(f"{base}{'' if e == '1' else e}" for base, e in exponents.items()) == BASE_UNITS[name]
@@ -122,8 +130,8 @@ def test_description(fmu):
         assert v.initial == {"input": None, "independent": None, "output": "calculated"}.get(v.causality, "exact"), v.name
         if v.type == "Boolean":
             assert v.variability == "discrete", v.name
-    structure = fmu.description.find("ModelStructure")
-    if fmu.version == 2:
+    structure = any_fmu.description.find("ModelStructure")
+    if any_fmu.version == 2:
         listed = [[variables[int(u.get("index")) - 1].name for u in structure.find(part)] for part in ("Outputs", "InitialUnknowns")]
     else:
         names = {v.reference: v.name for v in variables}
@@ -133,12 +141,12 @@ def test_description(fmu):
     assert [v.name for v in variables if v.causality == "independent"] == ["time"]
 
 
-def test_values(fmu):
+def test_values(any_fmu):
     """Every variable answers, starts are those of the description, what is not set from outside is refused."""
-    one = fmu.instantiate()
+    one = any_fmu.instantiate()
     refused(lambda: one.get("lateral_shift"), "before initialisation")
     one.initialise()
-    for v in fmu.variables:
+    for v in any_fmu.variables:
         value = one.get(v.name)
         if v.start is not None:
             assert value == (v.start.encode() if v.type == "String" else float(v.start)), v.name
@@ -155,13 +163,13 @@ def test_values(fmu):
     one.free()
 
 
-def test_calls_out_of_order(fmu):
+def test_calls_out_of_order(any_fmu):
     """Never a crash."""
-    one = fmu.instantiate()
+    one = any_fmu.instantiate()
     for name in ("ExitInitializationMode", "Terminate"):
         refused(lambda: one.call(name), "before initialisation")
     refused(lambda: one.step(1e-3), "before initialisation")
-    if fmu.version == 2:
+    if any_fmu.version == 2:
         refused(lambda: one.call("EnterInitializationMode"), "fmi2SetupExperiment")
         refused(lambda: one.initialise(1.0, 0.5), "stop time")
     one.initialise(0.5, 1.0, least_speed=0.2)
@@ -177,7 +185,7 @@ def test_calls_out_of_order(fmu):
     one.step(0.2)
     assert abs(one.get("time") - 1.0) < 1e-12
     refused(one.initialise, "between steps")
-    refuses_null(fmu, one)
+    refuses_null(any_fmu, one)
     one.terminate()
     assert one.get("right.force_z") < 0, "values after the end"
     refused(lambda: one.step(1e-3), "after termination")
@@ -188,11 +196,11 @@ def test_calls_out_of_order(fmu):
     one.free()
     for dead in (None, handle, c_void_p(8)):
         for name in ("Terminate", "Reset", "ExitInitializationMode"):
-            assert fmu.function(name)(dead) != 0, name
-        fmu.function("FreeInstance", None)(dead)
-    refused(lambda: fmu.instantiate(token="{0}"), "{0}")
-    refused(lambda: fmu.instantiate(resources="/nowhere"), "no such file")
-    refused(lambda: fmu.instantiate(name=""), "no name")
+            assert any_fmu.function(name)(dead) != 0, name
+        any_fmu.function("FreeInstance", None)(dead)
+    refused(lambda: any_fmu.instantiate(token="{0}"), "{0}")
+    refused(lambda: any_fmu.instantiate(resources="/nowhere"), "no such file")
+    refused(lambda: any_fmu.instantiate(name=""), "no name")
 
 
 def refuses_null(fmu, one):
@@ -218,12 +226,12 @@ def refuses_null(fmu, one):
         refused(lambda: one.call("GetFloat64", reference, c_size_t(1), (c_double * 2)(), c_size_t(2)), "nValues")
 
 
-def test_all_functions_answer_an_error_to_a_null_instance(fmu):
-    for name in FUNCTIONS[fmu.version].split():
+def test_all_functions_answer_an_error_to_a_null_instance(any_fmu):
+    for name in FUNCTIONS[any_fmu.version].split():
         if "Version" in name or "TypesPlatform" in name:
             continue
         is_new, is_free = "Instantiate" in name, name.endswith("FreeInstance")
-        answer = fmu.function(name, c_void_p if is_new or is_free else c_int)(*[c_void_p(0)] * 12)
+        answer = any_fmu.function(name, c_void_p if is_new or is_free else c_int)(*[c_void_p(0)] * 12)
         if not is_free:
             assert answer == (None if is_new else 3), name
 
@@ -237,11 +245,11 @@ def random_inputs(source):
         "left.rail_y": source.uniform(-2e-4, 2e-4), "right.rail_z": source.uniform(-1e-4, 1e-4)}
 
 
-def test_states(fmu):
+def test_states(any_fmu):
     """A state that is kept, set again or read by another instance has the same values, to the bit."""
     source = random.Random(4)
-    outputs = [v.name for v in fmu.variables if v.causality != "local" and v.type == "Real"]
-    one, other = fmu.instantiate("one"), fmu.instantiate("other")
+    outputs = [v.name for v in any_fmu.variables if v.causality != "local" and v.type == "Real"]
+    one, other = any_fmu.instantiate("one"), any_fmu.instantiate("other")
     for instance in (one, other):
         instance.initialise()
     one.set(random_inputs(source))

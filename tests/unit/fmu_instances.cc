@@ -2,8 +2,12 @@
 
 #include "fmu_table.h"
 
+#include <rolling_contact/fmu/bytes.h>
 #include <rolling_contact/fmu/description.h>
 #include <rolling_contact/fmu/face.h>
+#include <rolling_contact/fmu/program_forces.h>
+#include <rolling_contact/fmu/resources.h>
+#include <rolling_contact/fmu/state_messages.h>
 #include <rolling_contact/fmu/stored_zip.h>
 
 #include <cstring>
@@ -108,6 +112,82 @@ BOOST_AUTO_TEST_CASE(states_are_kept_to_the_bit)
     (other->deserialise("", bytes.data(), size, &theirs) == Status::error));
   BOOST_TEST((own->forget("", &handle) == Status::ok));
   BOOST_TEST(handle == nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(bytes_that_were_changed_are_no_state)
+{
+  Resources  resources;
+  const auto own    = resources.make();
+  void      *handle = nullptr;
+  BOOST_TEST((own->keep("", &handle) == Status::ok));
+  std::size_t size = 0;
+  BOOST_TEST((own->size_of_state("", handle, &size) == Status::ok));
+  std::string bytes(size, ' ');
+  BOOST_TEST((own->serialise("", handle, bytes.data(), size) == Status::ok));
+  for (std::size_t k = 0; k < size; k += 7)
+    {
+      std::string changed = bytes;
+      changed[k] ^= 4;
+      void *none = nullptr;
+      BOOST_TEST(
+        (own->deserialise("", changed.data(), size, &none) == Status::error));
+    }
+  BOOST_TEST((own->deserialise("", bytes.data(), size, &handle) == Status::ok));
+}
+
+BOOST_AUTO_TEST_CASE(questions_and_answers_as_bytes)
+{
+  StatesQuestion question;
+  question.wheels[1] = {1e-3, 2e-3, 3e-4, 4e-5, 6e4, 0.3, {1., 2., 3.}};
+  question.memories  = {{"", std::string("a\0b", 3)}};
+  const auto again   = StatesQuestion::of_bytes(question.bytes());
+  BOOST_TEST((again.wheels[1].numbers() == question.wheels[1].numbers()));
+  BOOST_TEST((again.memories == question.memories));
+  StatesAnswer answer;
+  answer.why                       = "why";
+  answer.wheels[0].roll            = 1. / 3;
+  answer.wheels[1].values[force_y] = -1. / 7;
+  answer.wheels[1].memory          = "m";
+  const std::string bytes          = answer.bytes();
+  const auto        same           = StatesAnswer::of_bytes(bytes);
+  BOOST_TEST(same.bytes() == bytes);
+  BOOST_TEST(same.wheels[1].values[force_y] == -1. / 7);
+  for (std::size_t n = 0; n < bytes.size(); ++n)
+    BOOST_CHECK_THROW(StatesAnswer::of_bytes(bytes.substr(0, n)),
+                      std::invalid_argument);
+  BOOST_CHECK_THROW(StatesAnswer::of_bytes(bytes + " "), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(programs_that_solve_nothing)
+{
+  Resources         resources;
+  const std::string program = (resources.folder / "a program").string();
+  std::ofstream(resources.folder / values_file, std::ios::binary)
+    << program_values({radius, tape_circle, start()}, program);
+  const auto own = resources.make();
+  BOOST_REQUIRE(bool(own));
+  own->set_up("", 0., false, 0.);
+  own->enter_initialisation("", true);
+  const auto ends_with = [&](const std::string &script,
+                             const std::string &words) {
+    std::ofstream(program) << "#!/bin/sh\n" << script << '\n';
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    try
+      {
+        own->exit_initialisation("");
+      }
+    catch (const std::runtime_error &problem)
+      {
+        return std::string(problem.what()).find(words) != std::string::npos;
+      }
+    return false;
+  };
+  BOOST_TEST(ends_with("echo no such entry >&2; exit 7",
+                       "ended with the exit code 7. It said: no such entry"));
+  BOOST_TEST(ends_with("kill -SEGV $$", "ended by the signal 11"));
+  // its first frame has one byte
+  BOOST_TEST(
+    ends_with("printf '\\1\\0\\0\\0\\0\\0\\0\\0a' >&0", "another version"));
 }
 
 BOOST_AUTO_TEST_CASE(messages_by_category)

@@ -82,7 +82,7 @@ namespace FmuTable
 
   inline WheelsetModel model_of(const WheelTable &table)
   {
-    return {radius, tape_circle, start(), table};
+    return {{radius, tape_circle, start()}, table};
   }
 } // namespace FmuTable
 

@@ -8,12 +8,14 @@ namespace RollingContact::Fmu
   /** What a description says besides the variables. */
   struct DescriptionText
   {
+    ForceKind   kind = ForceKind::table;
     std::string title;         ///< of the model, one line
     std::string version;       ///< of the program
     std::string token;         ///< guid, instantiation token
     double      step   = 1e-3; ///< that is proposed, s
     Inputs      start  = {};
     double      radius = 0., tape_circle = 0.;
+    std::string program; ///< that solves the states, its path
   };
 
   /** modelDescription.xml of an FMU 2.0. */

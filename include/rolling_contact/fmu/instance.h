@@ -1,11 +1,13 @@
 #ifndef rolling_contact_fmu_instance_h
 #define rolling_contact_fmu_instance_h
 
+#include <rolling_contact/fmu/force_model.h>
 #include <rolling_contact/fmu/variables.h>
 
 #include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -42,11 +44,14 @@ namespace RollingContact::Fmu
   {
     static constexpr std::size_t n_numbers = n_inputs + 6;
 
-    /** As numbers, from which it follows to the last bit. */
+    /** Inputs, times and modes. */
     std::array<double, n_numbers> numbers() const;
 
+    /** All, from which it follows to the last bit. */
+    std::string bytes() const;
+
     /** Throws std::invalid_argument if they are none of a snapshot. */
-    static Snapshot of_numbers(const std::array<double, n_numbers> &numbers);
+    static Snapshot of_bytes(const std::string &bytes);
 
     Inputs inputs{};
     double least_speed = default_least_speed;
@@ -54,19 +59,32 @@ namespace RollingContact::Fmu
     Mode   mode          = Mode::instantiated;
     bool   has_stop_time = false;
     bool   is_set_up     = false; ///< setupExperiment of FMI 2.0
+
+    std::string program; ///< that is asked for
+    std::string memory;  ///< what forces begin with, see ForceModel
+
+    /** Outputs of the inputs as they are, if they are known. */
+    std::optional<Outputs> found;
+    /** Whether the memory is that of these outputs: a step has kept it. */
+    bool is_of_step = false;
+
+  private:
+    void take(const std::array<double, n_numbers> &numbers);
   };
 
   /**
    * A wheelset of an FMU, whatever the version of the interface: what may be
    * called when, values by reference, steps and states. Each function refuses
-   * what is not allowed, says why to the logger and answers Status::error.
-   * Outputs are those of the inputs as they are.
+   * what is not allowed, says why to the logger and answers Status::error; a
+   * step to inputs that have no forces answers Status::discard, and is not
+   * taken. Outputs are those of the inputs as they are. What they begin with is
+   * kept by steps alone: to look at outputs changes nothing.
    */
   class Instance
   {
   public:
     /**
-     * Reads the table of a folder of @p resources, which must have this @p
+     * Reads the model of a folder of @p resources, which must have this @p
      * token. Null, and a message to the logger, if that cannot be.
      */
     static std::unique_ptr<Instance> make(const std::string &name,
@@ -82,8 +100,11 @@ namespace RollingContact::Fmu
     /** Whether it is one that was made and not yet destroyed. */
     static bool is_alive(const void *instance);
 
-    /** Says why, if messages of this kind are asked for, and answers error. */
-    Status refuse(const std::string &function, const std::string &why);
+    /** Says why, if messages of this kind are asked for, and answers error, or
+     * what else is to be answered. */
+    Status refuse(const std::string &function,
+                  const std::string &why,
+                  const Status       status = Status::error);
 
     /** Whether the instance is in one of these modes; else it is said. */
     bool is_in(const std::string                 &function,
@@ -131,6 +152,12 @@ namespace RollingContact::Fmu
                const unsigned int *references,
                const std::size_t   n,
                const double       *values);
+
+    /** Texts, by reference. */
+    Status set(const std::string  &function,
+               const unsigned int *references,
+               const std::size_t   n,
+               const char *const  *values);
 
     /** No variable of this type can be set, or there is none of it: success if
      * nothing is asked for. */
@@ -180,6 +207,9 @@ namespace RollingContact::Fmu
 
     bool may_get(const std::string &function);
 
+    /** Why a variable may not be set now; empty if it may. */
+    std::string why_not_set(const Variable &variable) const;
+
     /** Whether a value may be set now. */
     bool may_set(const std::string &function,
                  const Variable    &variable,
@@ -191,15 +221,24 @@ namespace RollingContact::Fmu
 
     Snapshot *kept(const std::string &function, const void *handle);
 
-    const std::string     name;
-    const Logger          logger;
-    std::string           token;
-    WheelsetModel         model;
-    Snapshot              state;
-    Outputs               found;
-    bool                  is_found = false; ///< for the inputs as they are
-    bool                  logs     = true;
-    std::set<std::string> categories;
+    /** The state without what was looked at since the last step. */
+    Snapshot to_keep() const;
+
+    std::string bytes_of(const Snapshot &snapshot) const;
+
+    const Variable *find(const unsigned int reference) const
+    {
+      return find_variable(reference, model->kind());
+    }
+
+    const std::string           name;
+    const Logger                logger;
+    std::string                 token;
+    std::unique_ptr<ForceModel> model;
+    Snapshot                    state;
+    std::string                 reached; ///< memory that a step would keep
+    bool                        logs = true;
+    std::set<std::string>       categories;
     std::set<std::unique_ptr<Snapshot>> snapshots;
   };
 } // namespace RollingContact::Fmu

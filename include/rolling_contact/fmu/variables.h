@@ -1,7 +1,7 @@
 #ifndef rolling_contact_fmu_variables_h
 #define rolling_contact_fmu_variables_h
 
-#include <rolling_contact/fmu/wheelset_model.h>
+#include <rolling_contact/fmu/force_model.h>
 
 #include <optional>
 #include <string>
@@ -11,9 +11,6 @@ namespace RollingContact::Fmu
 {
   /** The file name of the binary and the model in FMUs. */
   constexpr char model_name[] = "rolling_contact_wheelset";
-
-  /** What is in the folder of resources. */
-  constexpr char table_file[] = "wheelset.table", token_file[] = "token.txt";
 
   enum class VariableType
   {
@@ -37,6 +34,7 @@ namespace RollingContact::Fmu
     time,
     input,       ///< Input
     least_speed, ///< parameter
+    program,     ///< parameter, a path
     radius,
     tape_circle,
     scene,
@@ -65,11 +63,12 @@ namespace RollingContact::Fmu
     }
   };
 
-  /** All variables, by reference. */
-  const std::vector<Variable> &variables();
+  /** All variables of FMUs of a kind, by reference. */
+  const std::vector<Variable> &variables(const ForceKind kind);
 
   /** The one of a reference; null if there is none. */
-  const Variable *find_variable(const unsigned int reference);
+  const Variable *find_variable(const unsigned int reference,
+                                const ForceKind    kind);
 
   /** A unit by the exponents of its base units kg, m, s, rad. */
   struct Unit

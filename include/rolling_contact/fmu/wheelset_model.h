@@ -71,7 +71,59 @@ namespace RollingContact::Fmu
   };
 
   /**
-   * A wheelset with equal profiles on both sides. The creepages of WheelTable
+   * Where a right-hand wheel is and how it moves: shifts against its own rail
+   * and that of the other wheel, yaw, how far its own rail is below the other
+   * one, vertical load, friction coefficient, motion. Units: m, m, rad, m, N,
+   * 1.
+   */
+  struct WheelQuestion
+  {
+    static constexpr std::size_t n_numbers = 9;
+
+    std::array<double, n_numbers> numbers() const;
+
+    static WheelQuestion
+    of_numbers(const std::array<double, n_numbers> &numbers);
+
+    double      on_own = 0., on_other = 0., yaw = 0., rail_down = 0.;
+    double      load = 0., friction = 0.;
+    WheelMotion motion{};
+  };
+
+  /**
+   * What is asked of a wheel, 0 the right-hand one, by inputs, at @p
+   * least_speed (m/s) where it is slower: a left-hand wheel is the mirror image
+   * of a right-hand one.
+   */
+  WheelQuestion question_of(const Inputs      &inputs,
+                            const unsigned int wheel,
+                            const double       least_speed);
+
+  /**
+   * The outputs of a wheel from its @p values as a right-hand one. The bound is
+   * the largest number unless the wheel is @p inside of what is known.
+   */
+  WheelOutputs outputs_of(const Quantities  &values,
+                          const bool         inside,
+                          const Inputs      &inputs,
+                          const unsigned int wheel);
+
+  /**
+   * Dimensions of a wheelset with equal profiles on both sides, and its inputs
+   * at first. Units: m.
+   */
+  struct Wheelset
+  {
+    double radius = 1., tape_circle = 0.;
+    Inputs start{};
+
+    /** Throws std::invalid_argument if a dimension is none or an input not
+     * finite. */
+    void check() const;
+  };
+
+  /**
+   * A wheelset with a table of forces. The creepages of WheelTable
    * are those of the tape circle (at e from the middle, radius r) without its
    * roll, for a motion u,
    *
@@ -81,21 +133,14 @@ namespace RollingContact::Fmu
    * from which the motion follows again: between states nothing but the values
    * is interpolated.
    */
-  class WheelsetModel
+  class WheelsetModel : public Wheelset
   {
   public:
     /** An unusable model. */
     WheelsetModel() = default;
 
-    /** Made of a radius (m), half the distance of the tape circles (m), and
-     * what the inputs are at first. */
-    WheelsetModel(const double      radius,
-                  const double      tape_circle,
-                  const Inputs     &start,
-                  const WheelTable &table)
-      : radius(radius)
-      , tape_circle(tape_circle)
-      , start(start)
+    WheelsetModel(const Wheelset &wheelset, const WheelTable &table = {})
+      : Wheelset(wheelset)
       , table(table)
     {}
 
@@ -119,8 +164,6 @@ namespace RollingContact::Fmu
      */
     static WheelsetModel of_bytes(const std::string &bytes);
 
-    double     radius = 1., tape_circle = 0.;
-    Inputs     start{};
     WheelTable table;
 
   private:

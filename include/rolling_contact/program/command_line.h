@@ -36,6 +36,7 @@ namespace RollingContact
     bool                     print_parameters = false;
     bool                     print_json       = false; ///< of the parameters
     bool                     resume           = false;
+    bool                     serves_fmu       = false; ///< with its states
   };
 } // namespace RollingContact
 

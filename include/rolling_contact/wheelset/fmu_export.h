@@ -9,11 +9,12 @@ namespace RollingContact
 {
   /**
    * Analysis = fmu: states of one wheel on a grid, and from them a wheelset
-   * with forces of contact as functional mock-up units, wheelset_fmi2.fmu and
-   * wheelset_fmi3.fmu, which vehicle codes load. Random states between those of
-   * the grid are solved as well: fmu_points.csv, and the share of them that is
-   * within the bound which the FMU tells. Throws ConvergenceError if a state is
-   * not solved, InputError if there is no binary to pack.
+   * with forces of contact as functional mock-up units of a table, which
+   * vehicle codes load, and those of states if both kinds are asked for. Random
+   * states between those of the grid are solved as well: fmu_points.csv, and
+   * the share of them that is within the bound which the FMU tells. Throws
+   * ConvergenceError if a state is not solved, InputError if there is no binary
+   * to pack.
    */
   class FmuExport : public Table<3>
   {
@@ -42,8 +43,6 @@ namespace RollingContact
      */
     std::optional<Fmu::Quantities> beside(const Fmu::Coordinates &point,
                                           Session &session) const;
-
-    void write(const Fmu::WheelsetModel &model) const;
 
     const FmuStates states;
     bool            is_written = false;

@@ -8,6 +8,15 @@ namespace RollingContact
 {
   class Entries;
 
+  /** What FMUs are written: those of a table, those whose states the program
+   * solves when they are asked for, or both. */
+  enum class FmuKind
+  {
+    table,
+    states,
+    both
+  };
+
   /**
    * Section `FMU`: the axes of the table of an FMU, as of a right-hand wheel,
    * and how many states between its states are solved to see how far it is off.
@@ -27,6 +36,7 @@ namespace RollingContact
     std::array<std::vector<double>, Fmu::n_axes>
     all_axes(const PairSpec &scene) const;
 
+    FmuKind                                      kind = FmuKind::table;
     std::array<std::vector<double>, Fmu::n_axes> axes;
     unsigned int                                 n_points = 30;
   };

@@ -2,6 +2,7 @@
 #define rolling_contact_wheelset_fmu_states_h
 
 #include <rolling_contact/fmu/wheelset_model.h>
+#include <rolling_contact/pair/track_forces.h>
 #include <rolling_contact/tables/table_plan.h>
 #include <rolling_contact/wheelset/fmu_parameters.h>
 
@@ -9,6 +10,28 @@
 
 namespace RollingContact
 {
+  /** Dimensions of the wheelset of a scene, and what it says of its motion. */
+  Fmu::Wheelset fmu_wheelset(const Situation &scene);
+
+  /** The profiles of a scene. Throws InputError if they cannot be read. */
+  std::shared_ptr<const Profiles::WheelOnRail>
+  fmu_profiles(const Situation &scene);
+
+  /** A state of a right-hand wheel as far as an FMU tells of it: forces, sum
+   * and largest value of the pressure, work of friction, and how far the force
+   * vector may be off. Units: N, N, Pa, J/m, N. */
+  struct SolvedWheel
+  {
+    TrackForces forces;
+    double      normal_force = 0., max_pressure = 0., creep_work = 0.;
+    double      force_bound = 0.;
+  };
+
+  /** What an FMU tells of a state of a wheelset at a place. */
+  Fmu::Quantities quantities_of(const SolvedWheel                &state,
+                                const Profiles::WheelOnRail      &profiles,
+                                const Profiles::WheelsetPosition &place);
+
   /**
    * The states of the table of an FMU: which entries of a scene each of them
    * has, and the model that follows when all are solved.
