@@ -223,7 +223,12 @@ namespace RollingContact
       {
         const std::vector<unsigned int> nodes     = nodes_near(node, first);
         const std::size_t               n_unknown = is_line ? 3 : 6;
-        if (nodes.size() <= n_unknown)
+        // nodes at the edge hardly count, so that in small spots all fits
+        const std::size_t n_inner =
+          std::count_if(nodes.begin(), nodes.end(), [&](const unsigned int i) {
+            return !at_edge[i];
+          });
+        if (nodes.size() <= n_unknown || n_inner < (is_line ? 3 : 10))
           return {};
         DenseMatrix         M(nodes.size(), n_unknown);
         std::vector<double> b;

@@ -6,6 +6,7 @@
 
 #include <rolling_contact/base/constants.h>
 #include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/text.h>
 #include <rolling_contact/modes/harmonic_section.h>
 #include <rolling_contact/modes/section_elements.h>
 
@@ -287,9 +288,14 @@ namespace RollingContact
             holder   = cell;
           }
       }
-    AssertThrow(holder.state() == IteratorState::valid &&
-                  farthest < beside * holder->diameter(),
-                ExcMessage("A node of the body is beside its section."));
+    if (holder.state() != IteratorState::valid ||
+        farthest >= beside * holder->diameter())
+      throw InputError(
+        "Model = harmonic: the mesh with the patch has a node at "
+        "radius " +
+        significant(radius, 5) + " m, " + significant(along, 4) +
+        " m across, where its section is not. Take Model = "
+        "mesh for this place of the contact.");
     Interpolation                        result;
     std::vector<types::global_dof_index> nodes(elements->element.dofs_per_cell);
     holder->get_dof_indices(nodes);

@@ -68,11 +68,17 @@ namespace RollingContact
     std::string title(const SteadyState<3> &steady)
     {
       const Resultants &result = steady.result;
-      std::string       text =
-        "N = " + significant(1e-3 * result.normal_force, 4) + " kN";
+      const bool        kilo   = result.normal_force >= 1e3;
+      const std::string unit   = kilo ? " kN" : " N";
+      const auto        scaled = [&](const double force) {
+        const double nothing = 1e-9 * result.normal_force;
+        return std::abs(force) < nothing ? 0. : (kilo ? 1e-3 : 1.) * force;
+      };
+      std::string text = "N = " + significant(scaled(result.normal_force), 4);
+      text += unit;
       if (steady.problem.n_tangential() > 0)
-        text += ", T = (" + signed_number(1e-3 * result.force_x) + ", " +
-                signed_number(1e-3 * result.force_y) + ") kN";
+        text += ", T = (" + signed_number(scaled(result.force_x)) + ", " +
+                signed_number(scaled(result.force_y)) + ')' + unit;
       return text + ", p up to " + significant(mega * result.max_pressure, 4) +
              " MPa";
     }
@@ -126,7 +132,8 @@ namespace RollingContact
     };
 
     /** The nodes of a state with their tractions, a node's arrow as long as
-     * two elements where the traction is largest. */
+     * two elements where the traction is largest. An arrow without length
+     * stands for a state that no node has, so that colours stay the same. */
     void add_arrows(const Patch       &patch,
                     const NodeState    state,
                     const std::string &label,
@@ -147,8 +154,18 @@ namespace RollingContact
               along[d].push_back(
                 largest > 0. ? length * patch.traction[d][i] / largest : 0.);
             }
-      if (!at[0].empty())
-        figure.add_arrows(label, at[0], at[1], along[0], along[1]);
+      const auto touching =
+        std::find_if(patch.states.begin(),
+                     patch.states.end(),
+                     [](const NodeState at) { return at != NodeState::open; }) -
+        patch.states.begin();
+      for (const unsigned int d : {0, 1})
+        if (at[d].empty())
+          {
+            at[d].push_back(patch.place[d][touching]);
+            along[d].push_back(0.);
+          }
+      figure.add_arrows(label, at[0], at[1], along[0], along[1]);
     }
 
     void add_line(const Patch &patch, const unsigned int d, Figure &figure)

@@ -64,6 +64,15 @@ def test_a_patch_in_3d(program):
     assert (run / "patch.svg").exists() and not (run / "nodes.csv").exists(), "nodes.csv is a field of the interface"
 
 
+def test_a_patch_that_slides_under_a_small_load(program):
+    """Loads in N, 0 for what is no force, and the colour of slip whether or not a node sticks."""
+    run = program("combined_3d", {"Output/Body fields": "false", "Mesh/Elements across patch": 8, "Contact/Approach": "",
+                                  "Contact/Normal load": 60, "Contact/Creepage x": 0.05, "Contact/Creepage y": 0, "Contact/Spin": 0})
+    assert re.search(r"<title>N = 60 N, T = \(\u221218, 0\) N, p up to .* MPa", text_of(run / "patch.svg"))
+    script = text_of(run / "patch.gp")
+    assert 0 < script.index("q, sticks") < script.index("q, slides")
+
+
 def left_undrawn(run):
     """What gnuplot needs, and no picture of before."""
     record = text_of(run / "run.json")
