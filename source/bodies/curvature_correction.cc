@@ -6,6 +6,7 @@
 #include <rolling_contact/bodies/half_space_influence.h>
 #include <rolling_contact/bodies/moment_fields.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -235,37 +236,61 @@ namespace RollingContact
       return share * chi * chi * work(state, material) -
              (u[0].transpose() * along_x + u[1].transpose() * along_y);
     }
+
+    /**
+     * The integral over h away from all loads, between two distances.
+     */
+    DenseMatrix work_of_rings(const BodyShape    &shape,
+                              const Material     &material,
+                              const FadingRegion &fading,
+                              const double        from,
+                              const double        to)
+    {
+      const std::size_t       n   = force_moments().size();
+      DenseMatrix             sum = DenseMatrix::Zero(n, n);
+      const dealii::QGauss<1> along(rings);
+      for (unsigned int k = 0; k < rings; ++k)
+        for (unsigned int l = 0; l < points_along_ring; ++l)
+          {
+            const double r = from + along.point(k)[0] * (to - from),
+                         angle =
+                           2 * dealii::numbers::PI * l / points_along_ring,
+                         area = along.weight(k) * (to - from) * 2 *
+                                dealii::numbers::PI * r / points_along_ring,
+                         x = r * std::cos(angle), y = r * std::sin(angle);
+            sum += shape.height_as_made(x, y) * area *
+                   faded_work({{x, y}}, fading, material);
+          }
+      return sum;
+    }
   } // namespace
 
   DenseMatrix curvature_correction(const BodyShape             &shape,
                                    const Material              &material,
                                    const std::array<double, 2> &half_widths,
-                                   const FadingRegion          &fading)
+                                   const FadingRegion          &fading,
+                                   const double                 grid_reach)
   {
     const std::size_t n   = force_moments().size();
     DenseMatrix       sum = DenseMatrix::Zero(n, n);
-    const SmoothLoads loads(material, half_widths, fading.inner);
+    const double      reach =
+      std::min(fading.inner,
+               grid_reach * std::max(half_widths[0], half_widths[1]));
+    const SmoothLoads loads(material, half_widths, reach);
     for (int i = -loads.last[0]; i <= loads.last[0]; ++i)
       for (int j = -loads.last[1]; j <= loads.last[1]; ++j)
         {
           const double x = i * loads.size[0], y = j * loads.size[1];
-          if (std::hypot(x, y) < fading.inner)
+          if (std::hypot(x, y) < reach)
             sum += shape.height_as_made(x, y) * loads.size[0] * loads.size[1] *
                    work(loads.at(i, j), material);
         }
-    const dealii::QGauss<1> along(rings);
-    const double            width = fading.first_order().outer - fading.inner;
-    for (unsigned int k = 0; k < rings; ++k)
-      for (unsigned int l = 0; l < points_along_ring; ++l)
-        {
-          const double r     = fading.inner + along.point(k)[0] * width,
-                       angle = 2 * dealii::numbers::PI * l / points_along_ring,
-                       area  = along.weight(k) * width * 2 *
-                              dealii::numbers::PI * r / points_along_ring,
-                       x = r * std::cos(angle), y = r * std::sin(angle);
-          sum += shape.height_as_made(x, y) * area *
-                 faded_work({{x, y}}, fading, material);
-        }
+    const double outer = fading.first_order().outer;
+    for (double from = reach, to; from < outer; from = to)
+      {
+        to = from < fading.inner ? std::min(2 * from, fading.inner) : outer;
+        sum += work_of_rings(shape, material, fading, from, to);
+      }
     return (sum + sum.transpose()) / 2;
   }
 } // namespace RollingContact

@@ -211,6 +211,26 @@ BOOST_AUTO_TEST_CASE(curved_twins_have_the_forces_of_finite_elements)
   BOOST_TEST(std::abs(difference) < 1.2e-3 * mu_N);
 }
 
+/** What the curvature of a ball of this radius adds to a plane. */
+DenseMatrix correction_of_ball(const double        radius,
+                               const double        half_width,
+                               const FadingRegion &fading,
+                               const double        grid_reach = 10)
+{
+  ShapeParameters parameters;
+  parameters.section        = "Rail";
+  parameters.radius         = radius;
+  parameters.lateral_radius = radius;
+  parameters.width          = 0.2;
+  parameters.block_depth    = 0.1;
+  parameters.block_length   = 0.2;
+  return curvature_correction(*make_body_shape("block", parameters),
+                              steel(),
+                              {{half_width, half_width}},
+                              fading,
+                              grid_reach);
+}
+
 /**
  * No curvature adds nothing, one twice as large twice as much, to second order;
  * a ball has no preferred direction, and work is symmetric.
@@ -218,17 +238,7 @@ BOOST_AUTO_TEST_CASE(curved_twins_have_the_forces_of_finite_elements)
 BOOST_AUTO_TEST_CASE(curvature_adds_in_proportion)
 {
   const auto correction = [](const double radius) {
-    ShapeParameters parameters;
-    parameters.section        = "Rail";
-    parameters.radius         = radius;
-    parameters.lateral_radius = radius;
-    parameters.width          = 0.2;
-    parameters.block_depth    = 0.1;
-    parameters.block_length   = 0.2;
-    return curvature_correction(*make_body_shape("block", parameters),
-                                steel(),
-                                {{4e-3, 4e-3}},
-                                {8e-3, 32e-3});
+    return correction_of_ball(radius, 4e-3, {8e-3, 32e-3});
   };
   const DenseMatrix flat = correction(0.), one = correction(2.),
                     two = correction(1.);
@@ -238,6 +248,21 @@ BOOST_AUTO_TEST_CASE(curvature_adds_in_proportion)
   BOOST_TEST(one(0, 0) == one(1, 1), boost::test_tools::tolerance(1e-6));
   // under its own load the surface of a ball gives way more than a plane
   BOOST_TEST(one(2, 2) > 0.);
+}
+
+/**
+ * Far from a small patch its loads are those of their moments: a grid that ends
+ * at 10 half-widths gives what one over the whole region does.
+ */
+BOOST_AUTO_TEST_CASE(curvature_far_from_a_small_patch)
+{
+  const FadingRegion fading{6e-3, 32e-3};
+  const DenseMatrix  part = correction_of_ball(2., 4e-4, fading),
+                    whole = correction_of_ball(2., 4e-4, fading, 1e3);
+  for (unsigned int i = 0; i < whole.rows(); ++i)
+    for (unsigned int j = 0; j < whole.cols(); ++j)
+      BOOST_TEST(std::abs(part(i, j) - whole(i, j)) <
+                 2e-3 * std::sqrt(std::abs(whole(i, i) * whole(j, j))));
 }
 
 /**

@@ -20,13 +20,15 @@ namespace RollingContact
    * of the fields of the half-space at z = 0, as the tractions that these have
    * at z = h are taken away and displacements are those there. The loads are
    * elliptical ones times polynomials, by their moments, on a grid of their
-   * own; where fields fade out they are those of moments, and the integrand is
-   * - h sigma_ka(j) (chi^2 u_k(i)),a. Units: m to m/(N m^degrees).
+   * own out to @p grid_reach half-widths. Beyond they are those of moments, and
+   * where fields fade out the integrand is - h sigma_ka(j) (chi^2 u_k(i)),a.
+   * Units: m to m/(N m^degrees).
    */
   DenseMatrix curvature_correction(const BodyShape             &shape,
                                    const Material              &material,
                                    const std::array<double, 2> &half_widths,
-                                   const FadingRegion          &fading);
+                                   const FadingRegion          &fading,
+                                   const double grid_reach = 10);
 } // namespace RollingContact
 
 #endif
