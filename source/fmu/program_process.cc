@@ -85,6 +85,8 @@ namespace RollingContact::Fmu
     {
       const unsigned int pause_us = 10000, most_pauses = 300;
       int                status = 0;
+      if (process <= 0) // none, or what would stand for many
+        return "has ended";
       for (unsigned int k = 0;; ++k)
         {
           const pid_t ended =
