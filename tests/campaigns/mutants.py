@@ -300,26 +300,42 @@ def draw_all(project, rooms, count, seed, first, refused, taken):
     for k, room in enumerate(places):
         local = random.Random(f"mutation {seed} {k}")  # what is refused changes no other one
         for operator in [operators[k], *local.sample(sorted(SHARES), len(SHARES))]:
-            found = [(path, *candidate) for path, source in sources[room].items()
+            found = [(operator, path, *candidate) for path, source in sources[room].items()
                      for candidate in candidates(source, operator, random.Random(f"{seed} {path.name} {operator}"))]
             local.shuffle(found)
-            mutant = next((one for one in found if is_free(one, operator, sources[room], refused, taken)), None)
-            if mutant:
-                path, at, old, new, edits = mutant
-                taken.setdefault(path, []).append((min(e[0] for e in edits), max(e[1] for e in edits)))
-                mutants.append({"number": first + k, "seed": seed, "room": room, "file": str(path.relative_to(project)),
-                                "line": sources[room][path].line(at), "last": sources[room][path].line(max(e[1] for e in edits)),
-                                "operator": operator, "original": old, "changed": new, "edits": edits})
+            one = next((one for one in found if is_free(one, sources[room], taken)), None)
+            if one:
                 break
+        if not one:
+            continue
+        if is_refused(one, sources[room], refused):  # another one of the file, so that no other file is compiled again
+            path = one[1]
+            others = [(other, path, *candidate) for other in [operator, *sorted(SHARES)]
+                      for candidate in candidates(sources[room][path], other, random.Random(f"{seed} {path.name} {other}"))]
+            local.shuffle(others)
+            others.sort(key=lambda other: other[0] != operator)
+            one = next((other for other in others if is_free(other, sources[room], taken)
+                        and not is_refused(other, sources[room], refused)), None)
+            if not one:
+                continue
+        operator, path, at, old, new, edits = one
+        begin, end = min(e[0] for e in edits), max(e[1] for e in edits)
+        taken.setdefault(path, []).append((begin, end))
+        mutants.append({"number": first + k, "seed": seed, "room": room, "file": str(path.relative_to(project)),
+                        "line": sources[room][path].line(at), "last": sources[room][path].line(end),
+                        "operator": operator, "original": old, "changed": new, "edits": edits})
     return mutants
 
 
-def is_free(mutant, operator, sources, refused, taken):
-    path, at, _, _, edits = mutant
-    line = sources[path].line(at)
+def is_refused(mutant, sources, refused):
+    operator, path, at = mutant[:3]
+    return (path.name, sources[path].line(at), operator) in refused
+
+
+def is_free(mutant, sources, taken):
+    path, edits = mutant[1], mutant[5]
     begin, end = min(e[0] for e in edits) - 40, max(e[1] for e in edits) + 40
-    return ((path.name, line, operator) not in refused
-            and not any(a < end and begin < b for a, b in taken.get(path, [])))
+    return not any(a < end and begin < b for a, b in taken.get(path, []))
 
 
 def written(text, mutants, header):
