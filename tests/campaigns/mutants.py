@@ -1,7 +1,8 @@
 """Mutations of the sources: drawn by a seed, and written beside what they replace.
 
 `rolling_contact_mutant(7) ? changed : original` stands in the place of the original, so that one build holds all
-mutations and an environment variable chooses one. Comments, includes, asserts, messages of exceptions and what is constexpr are left alone.
+mutations and an environment variable chooses one. Comments, includes, asserts, messages of exceptions and what is
+constexpr are left alone.
 """
 import bisect
 import random

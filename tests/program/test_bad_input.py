@@ -17,6 +17,8 @@ REFUSED = [
     (DISCS, "Rail/Poisson ratio = 0.7: give a number from 0 to 0.5.", {"Rail/Poisson ratio": 0.7}),
     (DISCS, "below 0.5", {"Rail/Poisson ratio": 0.5}),
     (DISCS, "Wheel/Young modulus = -1: give a number of at least 0 Pa.", {"Wheel/Young modulus": -1}),
+    (DISCS, "Rail/Density = 0: it must be above 0 kg/m^3.", {"Rail/Density": 0}),
+    (DISCS, "Wheel/Hub radius = 0: it must lie above 0 m and below the Radius.", {"Wheel/Hub radius": 0}),
     (DISCS, "Contact/Friction coefficient = 0,3: give a number of at least 0; decimals take a point.", {"Contact/Friction coefficient": "0,3"}),
     (DISCS, "a value has no '#'", {"Contact/Approach": "1e-4 # m"}),
     (DISCS, "give `automatic`, `economical`, ", {"Contact/Solver": "newton"}),

@@ -1,7 +1,7 @@
 """Rigid contact of profiles: the table, its pictures, files and what is refused."""
 
 import pytest
-from conftest import charts, near, same_files, written
+from conftest import charts, documented, near, same_files, written
 
 TABLE = "contact_table"
 WORN = {"Profiles/Wheel profile": "profiles/worn_wheel.txt"}
@@ -17,6 +17,10 @@ def at(run, column, shift):
 @pytest.fixture(scope="module")
 def nominal(shared):
     return shared(TABLE)
+
+
+def test_its_columns_are_documented(nominal):
+    documented(nominal)
 
 
 @pytest.fixture(scope="module")
