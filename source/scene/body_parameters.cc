@@ -172,6 +172,14 @@ namespace RollingContact
               lateral_radius,
               "in 2D the profile is straight across; set it to 0 or take "
               "Dimension = 3.");
+    const double largest = 1e6; // m
+    for (const auto &[entry, value] :
+         {std::pair("Radius", radius),
+          std::pair("Lateral radius", lateral_radius)})
+      require(std::abs(value) <= largest,
+              entry,
+              value,
+              "at most 1e6 m; a flat surface has 0.");
     check_with(*make_body_shape(shape, *this), !is_from_file(), dimension);
   }
 

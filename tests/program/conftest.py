@@ -103,6 +103,9 @@ class Table:
         return found[0]
 
 
+DOCUMENTED = set(re.findall(r"`([^`\n]+)`", (PROJECT / "doc/reference/output.md").read_text(encoding="utf-8")))
+
+
 class Run:
     """What a run has left: exit code, screen, messages and the files of its folder."""
 
@@ -339,6 +342,14 @@ def same_results(run, other):
     """All columns of results.csv but the seconds."""
     assert len(run.results) > 0
     assert run.results.without("wall_s") == other.results.without("wall_s")
+
+
+def documented(run):
+    """doc/reference/output.md names all columns of the tables of a run; axes are entries, and left is as right."""
+    for path in run.folder.glob("*.csv"):
+        unknown = [name for name in Table(path).columns if not {name, name.replace("left_", "right_", 1)} & DOCUMENTED
+                   and not re.match(r"[A-Z]\w+/[A-Z]", name)]
+        assert not unknown, f"{path}: {unknown} are not in output.md"
 
 
 def charts(*arguments):

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from conftest import charts, near, same_files, written
+from conftest import charts, documented, near, same_files, written
 
 TABLE = "contact_table"
 WORN = {"Profiles/Wheel profile": "profiles/worn_wheel.txt"}
@@ -19,6 +19,10 @@ def at(run, column, shift):
 @pytest.fixture(scope="module")
 def nominal(shared):
     return shared(TABLE)
+
+
+def test_its_columns_are_documented(nominal):
+    documented(nominal)
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as Xml
 
 import pytest
 import vtu
-from conftest import RESUME, same_files
+from conftest import RESUME, documented, near, same_files
 
 SCENE = "wear_main_line"
 TWO = """name, share, Wheelset/Curve radius, Contact/Speed
@@ -43,6 +43,10 @@ def first(shared):
     return evolve(shared, "first", ONE_STEP)
 
 
+def test_its_columns_are_documented(first):
+    documented(first)
+
+
 def worn_area(run):
     """Of a passage, by the law of energy: the mean of both wheels, 5.3e-9 kg/J, 7850 kg/m^3."""
     energy = sum(share / 2 * duty(run, row)[f"{side}_creep_work_J/m"]
@@ -70,6 +74,18 @@ def test_profiles_are_as_much_deeper(program, first):
     for file in ("wheel_001.txt", "wheel.whl", "wheel.prw"):
         again = program("contact_table", {"Profiles/Wheel profile": first / file, "Profiles/Smoothing length": 0}, output=f"again_{file}")
         close(again.table("contact_table.csv").record(lateral_shift_m=0.003)["conicity_harmonic"], step["conicity_harmonic"], 1e-5)
+
+
+def test_picture_of_a_worn_wheel(first):
+    """Depths over the place on the new profile, of the step, as the files of the profiles have them."""
+    new, worn = first.points("wheel_000.txt"), first.points("wheel_001.txt")
+    last = [line for line in first.text("worn_wheel.dat").strip("\n").split("\n\n\n")[-1].split("\n") if line]
+    header, lines = [line for line in last if line[0] == "#"][-1], [line for line in last if line[0] != "#"]
+    assert header.strip("# ").split("\t") == ["y, to the field side (mm)", "depth (mm)"]
+    for line, a, b in zip(lines, new, worn, strict=True):
+        place, depth = map(float, line.split())
+        near(place, a[0], absolute=1e-4)
+        near(depth, math.dist(a[:2], b[:2]), absolute=2e-4)
 
 
 def test_two_rows_alike_are_one(program):

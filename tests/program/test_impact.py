@@ -1,7 +1,7 @@
 """A wheel over a dip at several speeds: rows, history, picture, what belongs together, and what is refused."""
 
 import pytest
-from conftest import charts, summary_has
+from conftest import charts, documented, summary_has
 
 SCENE = "corrugation_2d"
 BODIES = {"Time/Bodies": "reduced", "Time/Theta": 0.5, "Contact/Friction coefficient": 0, "Surfaces/Rail height": "",
@@ -14,6 +14,10 @@ HISTORY = "impact_history.csv"
 @pytest.fixture(scope="module")
 def two(shared):
     return shared(SCENE, COMMON, output="two")
+
+
+def test_its_columns_are_documented(two):
+    documented(two)
 
 
 def test_two_speeds(two):

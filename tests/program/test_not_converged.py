@@ -1,9 +1,10 @@
 """A solver that does not converge."""
 
+import re
 import shutil
 
 import pytest
-from conftest import QUICK
+from conftest import QUICK, near
 
 DISCS = "carter_2d_partial_slip"
 FIXED_POINT = {"Contact/Solver": "fixed point"}
@@ -28,6 +29,17 @@ def test_what_is_left_of_a_run_that_did_not_converge(stopped):
 
 def test_the_fixed_point_solves_full_slip(program):
     program(DISCS, QUICK, FIXED_POINT, {"Contact/Creepage x": 0.05, "Contact/Tolerance": 1e-6})
+
+
+def test_a_force_above_that_of_falling_friction(program):
+    """The state that it names as the closest has that force."""
+    run = program("falling_friction_2d", QUICK, {"Contact/Creepage x": "", "Contact/Longitudinal force": 38000}, code=2)
+    told = re.search(r"no state with Longitudinal force = 38000 N was found; the closest has Longitudinal force = (\S+) N at creepages "
+                     r"(\S+), 0 and spin 0 1/m\. Friction falls with the sliding speed: give less\.", run.messages)
+    force, creepage = map(float, told.groups())
+    assert 20000 < force < 38000 and -0.01 < creepage < 0
+    found = program("falling_friction_2d", QUICK, {"Contact/Creepage x": creepage}, output="found").results
+    near(found.last("force_x_N"), force, 1e-3)
 
 
 @pytest.mark.parametrize("curve, says", [("load", "Load curve, the largest load"), ("creep", "Creep curve, the state to start from")])

@@ -5,7 +5,7 @@ import re
 import shutil
 
 import pytest
-from conftest import same_files
+from conftest import documented, same_files
 
 SCENE = "squeal_small"
 COMMON = {"Analysis": "rolling noise", "Contact/Creepage x": 0, "Contact/Creepage y": 0, "Contact/Slip operator": "calibrated",
@@ -37,6 +37,10 @@ def power(decibels):
 @pytest.fixture(scope="module")
 def two(shared):
     return shared(SCENE, COMMON, {"Rolling noise/Speeds": "30, 15"}, output="two")
+
+
+def test_its_columns_are_documented(two):
+    documented(two)
 
 
 def test_bands(two):

@@ -4,7 +4,7 @@ import math
 import re
 
 import pytest
-from conftest import HERE, VALIDATE
+from conftest import HERE, VALIDATE, documented
 
 SCENE, PAIR = "carter_2d_full_slip", HERE / "pair.prm"
 COMMON = {"Analysis": "stability", "Contact/Speed": 10, "Contact/Slip operator": "upwind 2", "Mesh/Elements across patch": 16,
@@ -15,6 +15,10 @@ S = ("frequency_Hz", "growth_1/s", "damping_ratio", "corrected_frequency_Hz", "c
 @pytest.fixture(scope="module")
 def damped(shared):
     return shared(SCENE, COMMON, output="damped")
+
+
+def test_its_columns_are_documented(damped):
+    documented(damped)
 
 
 def test_damped_discs(damped):

@@ -2,7 +2,7 @@
 refused."""
 
 import pytest
-from conftest import VALIDATE
+from conftest import VALIDATE, documented
 
 SCENE = "wheelset_curve"
 FEW = {"Mesh/Elements across patch": 6, "Wheelset/Search for others": "false"}
@@ -21,6 +21,10 @@ def near(value, expected, tolerance):
 def right(shared):
     """A leading wheelset in a curve to the right."""
     return shared(SCENE, FEW, output="right")
+
+
+def test_its_columns_are_documented(right):
+    documented(right)
 
 
 def test_equilibrium_in_a_curve(right):

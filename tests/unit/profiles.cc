@@ -177,6 +177,7 @@ BOOST_AUTO_TEST_CASE(heads_of_rails_close_at_the_width_of_their_drawings)
   BOOST_TEST(
     std::abs(area(rail_head("60E1")) - area(rail_head("60E2")) - 22e-6) < 1e-6);
   BOOST_CHECK_THROW(rail_head("UIC60"), std::invalid_argument);
+  BOOST_CHECK_THROW(ProfileCurve({{0., 0., 0.}}), std::invalid_argument);
 }
 
 // 1:40 and 717.5 mm put the origin of the section where CONTACT has it

@@ -5,6 +5,7 @@
 
 #include <rolling_contact/base/exceptions.h>
 
+#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -31,9 +32,14 @@ double integrate(const Function &function,
 
 struct InputErrorNaming
 {
+  /** The text is there, and no letter after it: "0 m" is not "0 mm". */
   bool operator()(const RollingContact::InputError &error) const
   {
-    return std::string(error.what()).find(text) != std::string::npos;
+    const std::string what = error.what();
+    const std::size_t at = what.find(text), end = at + text.size();
+    return at != std::string::npos &&
+           !(end < what.size() && std::isalpha(what[end]) &&
+             std::isalpha(what[end - 1]));
   }
 
   std::string text;
