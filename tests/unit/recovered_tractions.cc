@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace RollingContact;
 
@@ -292,6 +293,28 @@ BOOST_AUTO_TEST_CASE(area_on_a_refined_rim_is_that_of_hertz)
     scene.mesh.rim_levels = 1;
   });
   BOOST_TEST(std::abs(run.area_over_that_of_hertz() - 1) < 0.015);
+}
+
+// spots of 3 by 4 nodes, as on a rough surface: all but two are at an edge
+BOOST_AUTO_TEST_CASE(areas_of_small_spots_are_those_of_their_nodes)
+{
+  const PointContact  run(0.46, [](SceneParameters &) {});
+  const auto         &operators = run.steady.problem.operators;
+  const double        element   = run.steady.grading.element_size_x;
+  std::vector<double> pressure;
+  double              area = 0.;
+  for (std::size_t i = 0; i < operators.positions().size(); ++i)
+    {
+      const auto [x, y]  = operators.positions()[i];
+      const int column   = 100 + std::lround(x / element),
+                row      = 100 + std::lround(y / element);
+      const bool touches = column % 5 < 3 && row % 6 < 4;
+      pressure.push_back(touches ? 1e8 * (2 + std::sin(3. * i)) : 0.);
+      area += touches ? operators.areas()[i] : 0.;
+    }
+  const std::vector<double> found = areas_in_contact(operators, pressure);
+  BOOST_TEST(std::accumulate(found.begin(), found.end(), 0.) == area,
+             boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(what_sticks_is_part_of_what_touches)
