@@ -95,7 +95,7 @@ def test_killed_again_and_again(program):
     same_results(whole, finished)
     program(*long, {"Table/Axis 4": "Contact/Spin = 0, 0.5"}, output="killed", options=RESUME, code=1, says="Table/Axis 4")
     (run / "results.csv").write_text(re.sub("(?m)^3,", "3000,", run.text("results.csv")), encoding="utf-8")
-    program(*long, output="killed", options=RESUME, code=1, says="none of its states")
+    program(*long, output="killed", options=RESUME, code=1, says="not one of its states")
 
 
 ROWS = """Contact/Normal load; Rail/Lateral radius; Contact/Spin; Contact/Friction coefficient
