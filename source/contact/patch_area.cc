@@ -228,7 +228,7 @@ namespace RollingContact
           std::count_if(nodes.begin(), nodes.end(), [&](const unsigned int i) {
             return !at_edge[i];
           });
-        if (nodes.size() <= n_unknown || n_inner < (is_line ? 3 : 10))
+        if (nodes.size() <= n_unknown || n_inner < (is_line ? 3 : 7))
           return {};
         DenseMatrix         M(nodes.size(), n_unknown);
         std::vector<double> b;
