@@ -153,7 +153,7 @@ def test_profiles_from_a_spreadsheet(program):
 
 def test_the_warning_is_in_run_json(program):
     run = program(DISCS, QUICK, {"Contact/Friction coefficient": 30}, says="Warning: Contact/Friction coefficient = 30")
-    assert any("Contact/Friction coefficient = 30 is hardly" in warning for warning in run.json["warnings"])
+    assert any("Contact/Friction coefficient = 30 is unlikely" in warning for warning in run.json["warnings"])
 
 
 def test_a_patch_beside_the_first_contact(program):
