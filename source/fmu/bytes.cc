@@ -1,5 +1,6 @@
 #include <rolling_contact/fmu/bytes.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -30,12 +31,10 @@ namespace RollingContact::Fmu
   std::size_t BytesIn::size(const std::size_t most)
   {
     const double value = number();
-    if (!(value >= 0. && value <= static_cast<double>(most)))
-      throw std::invalid_argument("a size is none");
-    const auto found = static_cast<std::size_t>(value);
-    if (static_cast<double>(found) != value)
-      throw std::invalid_argument("a size is none");
-    return found;
+    if (!(value >= 0. && value <= static_cast<double>(most) &&
+          value == std::floor(value)))
+      throw std::invalid_argument("a size is not a whole number that fits");
+    return static_cast<std::size_t>(value);
   }
 
   std::string BytesIn::text()

@@ -179,7 +179,8 @@ namespace RollingContact::Fmu
                       std::to_string(state.time) + " s");
     if (!(size > 0.) || !std::isfinite(to))
       return refuse(function,
-                    "a step of " + std::to_string(size) + " s is none");
+                    "a step of " + std::to_string(size) +
+                      " s is not above 0 and finite");
     if (state.has_stop_time && to > state.stop_time + close)
       return refuse(function,
                     "the step ends at " + std::to_string(to) +

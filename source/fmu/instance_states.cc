@@ -83,7 +83,7 @@ namespace RollingContact::Fmu
     const int     last   = static_cast<int>(Mode::terminated);
     if (!(numbers[friction] > 0. && others[0] > 0. && others[3] >= 0. &&
           others[3] <= last))
-      throw std::invalid_argument("a number is none of a state");
+      throw std::invalid_argument("a number cannot be that of a state");
     std::copy_n(numbers.begin(), std::size_t(n_inputs), inputs.begin());
     least_speed   = others[0];
     time          = others[1];
@@ -98,7 +98,7 @@ namespace RollingContact::Fmu
     for (const auto &snapshot : snapshots)
       if (snapshot.get() == handle)
         return snapshot.get();
-    refuse(function, "this state is none that the instance has kept");
+    refuse(function, "the instance has not kept this state");
     return nullptr;
   }
 
@@ -196,7 +196,7 @@ namespace RollingContact::Fmu
     catch (const std::invalid_argument &problem)
       {
         return refuse(function,
-                      std::string("the bytes are no state of this FMU: ") +
+                      std::string("the bytes are not a state of this FMU: ") +
                         problem.what());
       }
     return Status::ok;

@@ -41,7 +41,7 @@ namespace RollingContact::Fmu
   {
     BytesIn in(values);
     if (in.text() != mark_of_values)
-      throw std::invalid_argument("they are none of this version");
+      throw std::invalid_argument("they are not of this version");
     wheelset.radius      = in.number();
     wheelset.tape_circle = in.number();
     wheelset.start       = in.numbers<n_inputs>();

@@ -325,7 +325,8 @@ namespace RollingContact::Fmu
                                  numbers.begin() + at);
     };
     const double margin = next();
-    require(margin > 0. && std::isfinite(margin), "the margin is none");
+    require(margin > 0. && std::isfinite(margin),
+            "the margin is not a finite number above 0");
     std::array<std::vector<double>, n_axes> axes;
     std::size_t                             n = 1;
     for (auto &axis : axes)

@@ -105,7 +105,8 @@ namespace RollingContact::Fmu
     if (!(radius > 0. && tape_circle > 0. && is_finite(radius) &&
           is_finite(tape_circle) &&
           std::all_of(start.begin(), start.end(), is_finite)))
-      throw std::invalid_argument("a dimension of the wheelset is none");
+      throw std::invalid_argument(
+        "lengths must be above 0, and all values finite");
   }
 
   WheelOutputs WheelsetModel::wheel(const Inputs      &inputs,
@@ -167,7 +168,7 @@ namespace RollingContact::Fmu
     const std::size_t head = std::strlen(mark_of_model);
     if (bytes.compare(0, head, mark_of_model) != 0 ||
         (bytes.size() - head) % sizeof(double) != 0)
-      throw std::invalid_argument("it is no table of this version");
+      throw std::invalid_argument("it is not a table of this version");
     std::vector<double> all((bytes.size() - head) / sizeof(double));
     std::memcpy(all.data(), bytes.data() + head, bytes.size() - head);
     std::size_t   at = 2 + n_inputs;

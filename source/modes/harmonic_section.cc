@@ -291,11 +291,10 @@ namespace RollingContact
     if (holder.state() != IteratorState::valid ||
         farthest >= beside * holder->diameter())
       throw InputError(
-        "Model = harmonic: the mesh with the patch has a node at "
-        "radius " +
-        significant(radius, 5) + " m, " + significant(along, 4) +
-        " m across, where its section is not. Take Model = "
-        "mesh for this place of the contact.");
+        std::string("Model = ") + (is_straight ? "waveguide" : "harmonic") +
+        ": the mesh with the patch has a node beside the section, " +
+        significant(along, 4) + " m across and " + significant(radius, 5) +
+        " m outwards. Take Model = mesh for this place of the contact.");
     Interpolation                        result;
     std::vector<types::global_dof_index> nodes(elements->element.dofs_per_cell);
     holder->get_dof_indices(nodes);

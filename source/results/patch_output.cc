@@ -140,11 +140,16 @@ namespace RollingContact
                     const double       length,
                     Figure            &figure)
     {
-      double largest = 0.;
+      double      largest  = 0.;
+      std::size_t touching = 0;
       for (std::size_t i = 0; i < patch.states.size(); ++i)
-        largest =
-          std::max(largest,
-                   std::hypot(patch.traction[0][i], patch.traction[1][i]));
+        {
+          largest =
+            std::max(largest,
+                     std::hypot(patch.traction[0][i], patch.traction[1][i]));
+          if (patch.states[i] != NodeState::open)
+            touching = i;
+        }
       std::array<std::vector<double>, 2> at, along;
       for (std::size_t i = 0; i < patch.states.size(); ++i)
         if (patch.states[i] == state)
@@ -154,11 +159,6 @@ namespace RollingContact
               along[d].push_back(
                 largest > 0. ? length * patch.traction[d][i] / largest : 0.);
             }
-      const auto touching =
-        std::find_if(patch.states.begin(),
-                     patch.states.end(),
-                     [](const NodeState at) { return at != NodeState::open; }) -
-        patch.states.begin();
       for (const unsigned int d : {0, 1})
         if (at[d].empty())
           {

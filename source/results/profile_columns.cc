@@ -1,5 +1,4 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/pair/track_forces.h>
 #include <rolling_contact/results/profile_columns.h>
 
@@ -74,8 +73,7 @@ namespace RollingContact
     table.set("axle_torque_Nm", forces.axle_torque);
     table.set("pressure_y_track_m", forces.pressure_y);
     table.set("pressure_angle_rad", forces.pressure_angle);
-    const std::vector<ContactPatch> patches =
-      contact_patches(steady.pair->trace(), steady.problem, steady.state);
+    const std::vector<ContactPatch> patches = patches_of(steady);
     table.set("patches", patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
       set_patch("patch_" + std::to_string(k + 1), patches[k], *frame, table);
@@ -96,9 +94,8 @@ namespace RollingContact
                          millimetres(frame->origin().y_wheel, 4) +
                          " on the wheel's profile, at an angle of " +
                          significant(frame->angle() / degree, 3) + " degrees");
-    const std::vector<ContactPatch> patches =
-      contact_patches(steady.pair->trace(), steady.problem, steady.state);
-    std::string text = std::to_string(patches.size()) +
+    const std::vector<ContactPatch> patches = patches_of(steady);
+    std::string                     text    = std::to_string(patches.size()) +
                        (patches.size() == 1 ? " patch: " : " patches: ");
     for (std::size_t k = 0; k < patches.size(); ++k)
       text += (k == 0 ? "" : "; ") + significant(patches[k].normal_force, 6) +

@@ -1,5 +1,4 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/results/lines_across.h>
 #include <rolling_contact/results/profile_plot.h>
 #include <rolling_contact/run/figure.h>
@@ -99,9 +98,8 @@ namespace RollingContact
 
     Figure sections(const PairSpec &scene, const SteadyState<3> &steady)
     {
-      const Profiles::ContactFrame   &frame = *scene.frame;
-      const std::vector<ContactPatch> patches =
-        contact_patches(steady.pair->trace(), steady.problem, steady.state);
+      const Profiles::ContactFrame   &frame   = *scene.frame;
+      const std::vector<ContactPatch> patches = patches_of(steady);
       Figure figure(loads(patches) + " on " + std::to_string(patches.size()) +
                       (patches.size() == 1 ? " patch" : " patches") + " at " +
                       angles(patches, frame) + ", " +

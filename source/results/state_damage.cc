@@ -1,5 +1,4 @@
 #include <rolling_contact/base/text.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/damage/shakedown.h>
 #include <rolling_contact/results/state_damage.h>
 #include <rolling_contact/run/figure.h>
@@ -182,8 +181,7 @@ namespace RollingContact
                                                  const SteadyState<3> &steady)
     {
       std::vector<PatchFatigue> all;
-      for (const ContactPatch &patch :
-           contact_patches(steady.pair->trace(), steady.problem, steady.state))
+      for (const ContactPatch &patch : patches_of(steady))
         if (patch.normal_force > 0. && patch.area > 0.)
           all.push_back(fatigue_of(patch, scene.wear));
       std::stable_sort(all.begin(),
@@ -219,8 +217,7 @@ namespace RollingContact
           set("wear_archard_highest", law, scatter);
         }
       double brr = 0.;
-      for (const ContactPatch &patch :
-           contact_patches(steady.pair->trace(), steady.problem, steady.state))
+      for (const ContactPatch &patch : patches_of(steady))
         brr += Damage::brr_worn_area(std::max(0., patch.dissipation),
                                      2 * scene.wheel.radius);
       table.set("wear_brr_mm2/km", brr / Damage::mm2_per_km);

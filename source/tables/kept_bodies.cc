@@ -1,6 +1,10 @@
 #include <rolling_contact/base/stopwatch.h>
 #include <rolling_contact/pair/mesh_limits.h>
+#include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/kept_bodies.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace RollingContact
 {
@@ -70,6 +74,88 @@ namespace RollingContact
                                 : mesh_for<3>(scene, patch);
   }
 
+  template <int dim>
+  double KeptBodies<dim>::misfit(const WantedMesh &wanted) const
+  {
+    double largest = 0.;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      largest =
+        std::max(largest,
+                 std::abs(std::log(wanted.element_size[d] / element_size[d])));
+    return largest;
+  }
+
+  template <int dim>
+  bool KeptBodies<dim>::suits(const WantedMesh &wanted,
+                              const double      smallest) const
+  {
+    return misfit(wanted) <= -std::log(smallest) * (1 + 1e-9);
+  }
+
+  template <int dim>
+  bool KeptBodies<dim>::reaches(const WantedMesh &wanted) const
+  {
+    const auto  &boxes = wanted.patch.boxes;
+    const double step  = steady.grading.element_size_x / 2;
+    return std::all_of(boxes.begin(), boxes.end(), [&](const ZoneBox &box) {
+      return covers(steady.grading.zone_boxes, box, step) ||
+             covers(patches, box, step);
+    });
+  }
+
+  template <int dim>
+  double KeptBodies<dim>::elements_across() const
+  {
+    return 2 * steady.result.half_width_x / steady.grading.element_size_x;
+  }
+
+  template <int dim>
+  bool KeptBodies<dim>::serves(const PairSpec &scene,
+                               const double    smallest) const
+  {
+    // of several patches the smallest decides on the elements
+    const double asked = scene.mesh.elements_across_patch,
+                 now = elements_across(), most = std::max(made, asked);
+    return steady.solver.converged && !zone_too_small(steady) &&
+           now >= smallest * asked && now <= most / smallest;
+  }
+
+  template <int dim>
+  bool KeptBodies<dim>::solve_from_here(const PairSpec &scene, const bool holds)
+  {
+    steady.state.holds_scheme = holds;
+    solve_on_kept_bodies(scene, steady);
+    steady.state.holds_scheme = false;
+    return steady.solver.converged;
+  }
+
+  template <int dim>
+  KeptBodies<dim>
+  KeptBodies<dim>::made_for(const PairSpec                     &scene,
+                            const WantedMesh                   &wanted,
+                            const std::vector<ZoneBox>         &other_patches,
+                            const std::shared_ptr<SplitBodies> &split_bodies,
+                            RunContext                         &context)
+  {
+    StateDemands demands      = demands_of_kept_bodies();
+    demands.pair.split_bodies = split_bodies;
+    demands.other_patches     = other_patches;
+    if (wanted.patch.half_width_x > 0.)
+      demands.patch = wanted.patch;
+    KeptBodies found{wanted.element_size,
+                     wanted.patch.boxes,
+                     solve_steady_state<dim>(scene, demands, context)};
+    found.steady.pair->release_statics();
+    found.made = found.elements_across();
+    found.patches.insert(found.patches.end(),
+                         other_patches.begin(),
+                         other_patches.end());
+    return found;
+  }
+
   template void solve_on_kept_bodies(const PairSpec &, SteadyState<2> &);
   template void solve_on_kept_bodies(const PairSpec &, SteadyState<3> &);
+
+  template struct KeptBodies<2>;
+  template struct KeptBodies<3>;
 } // namespace RollingContact

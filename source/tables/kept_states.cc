@@ -3,40 +3,8 @@
 #include <rolling_contact/state/state_finder.h>
 #include <rolling_contact/tables/kept_states.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace RollingContact
 {
-  template <int dim>
-  double KeptStates<dim>::Kept::misfit(const WantedMesh &wanted) const
-  {
-    double largest = 0.;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      largest =
-        std::max(largest,
-                 std::abs(std::log(wanted.element_size[d] / element_size[d])));
-    return largest;
-  }
-
-  template <int dim>
-  bool KeptStates<dim>::Kept::reaches(const WantedMesh &wanted) const
-  {
-    const auto  &boxes     = wanted.patch.boxes;
-    const double step      = steady.grading.element_size_x / 2;
-    const auto   is_inside = [&](const ZoneBox &box) {
-      return covers(steady.grading.zone_boxes, box, step) ||
-             covers(patches, box, step);
-    };
-    return std::all_of(boxes.begin(), boxes.end(), is_inside);
-  }
-
-  template <int dim>
-  double KeptStates<dim>::Kept::elements_across() const
-  {
-    return 2 * steady.result.half_width_x / steady.grading.element_size_x;
-  }
-
   template <int dim>
   typename std::list<typename KeptStates<dim>::Kept>::iterator
   KeptStates<dim>::last_of(const unsigned int kind, const std::string &bodies)
@@ -66,6 +34,7 @@ namespace RollingContact
   {
     if (next == kind)
       return true;
+    SteadyState<dim> &steady = this->steady;
     if (steady.solver.converged)
       others[kind] = steady.state;
     kind             = next;
@@ -94,10 +63,9 @@ namespace RollingContact
   bool KeptStates<dim>::find(const std::string &bodies,
                              const WantedMesh  &wanted)
   {
-    const double largest = -std::log(smallest) * (1 + 1e-9);
-    auto         nearest = kept.end();
+    auto nearest = kept.end();
     for (auto it = kept.begin(); it != kept.end(); ++it)
-      if (it->bodies == bodies && it->misfit(wanted) <= largest &&
+      if (it->bodies == bodies && it->suits(wanted, smallest) &&
           (nearest == kept.end() ||
            it->misfit(wanted) < nearest->misfit(wanted)))
         nearest = it;
@@ -122,25 +90,11 @@ namespace RollingContact
     if (kept.size() >= most_kept)
       kept.pop_back();
     ++n_made;
-    why_new                   = why;
-    StateDemands demands      = demands_of_kept_bodies();
-    demands.pair.split_bodies = split_bodies;
-    demands.other_patches     = other_patches;
-    if (wanted.patch.half_width_x > 0.)
-      demands.patch = wanted.patch;
-    SteadyState<dim> steady =
-      solve_steady_state<dim>(scene, demands, context.run);
-    steady.pair->release_statics();
-    kept.push_front({bodies,
-                     wanted.element_size,
-                     wanted.patch.boxes,
-                     std::move(steady),
-                     0.,
+    why_new = why;
+    kept.push_front({KeptBodies<dim>::made_for(
+                       scene, wanted, other_patches, split_bodies, context.run),
+                     bodies,
                      0});
-    kept.front().made = kept.front().elements_across();
-    kept.front().patches.insert(kept.front().patches.end(),
-                                other_patches.begin(),
-                                other_patches.end());
   }
 
   template <int dim>
@@ -155,7 +109,7 @@ namespace RollingContact
     };
     if (is_new || !steady.solver.converged)
       start();
-    solve_from_here(scene, steady);
+    solve_from_here(scene, kept.front());
     if (!steady.solver.converged)
       {
         start();
@@ -164,20 +118,16 @@ namespace RollingContact
   }
 
   template <int dim>
-  void KeptStates<dim>::solve_from_here(const PairSpec   &scene,
-                                        SteadyState<dim> &steady) const
+  void KeptStates<dim>::solve_from_here(const PairSpec &scene,
+                                        Kept           &bodies) const
   {
-    const ContactState before = steady.state;
-    steady.state.holds_scheme = holds_edges;
-    solve_on_kept_bodies(scene, steady);
-    if (!steady.solver.converged && tries_last && !holds_edges)
-      {
-        // edges that jump with the load, as where friction carries a part
-        steady.state              = before;
-        steady.state.holds_scheme = true;
-        solve_on_kept_bodies(scene, steady);
-      }
-    steady.state.holds_scheme = false;
+    const ContactState before = bodies.steady.state;
+    if (bodies.solve_from_here(scene, holds_edges) || !tries_last ||
+        holds_edges)
+      return;
+    // edges that jump with the load, as where friction carries a part
+    bodies.steady.state = before;
+    bodies.solve_from_here(scene, true);
   }
 
   template <int dim>
@@ -189,15 +139,8 @@ namespace RollingContact
     if (last == kept.end() || !last->take(kind))
       return false;
     kept.splice(kept.begin(), kept, last);
-    SteadyState<dim> &steady = last->steady;
-    solve_from_here(scene, steady);
-    // of several patches the smallest decides on the elements
-    const double now  = last->elements_across(),
-                 most = std::max<double>(last->made,
-                                         scene.mesh.elements_across_patch);
-    return steady.solver.converged && !zone_too_small(steady) &&
-           now >= smallest * scene.mesh.elements_across_patch &&
-           now <= most / smallest;
+    solve_from_here(scene, *last);
+    return last->serves(scene, smallest);
   }
 
   template <int dim>

@@ -59,8 +59,8 @@ namespace RollingContact
     std::array<FmuWheel, 2> wheels{{FmuWheel(scene), FmuWheel(scene)}};
     if (!Fmu::send_frame(standard_input, Fmu::greeting_of_states))
       throw InputError(std::string(Fmu::option_of_states) +
-                       ": standard input is no socket at whose other end an "
-                       "FMU is; FMUs start the program so.");
+                       ": standard input is not a socket with an FMU at its "
+                       "other end. It is the FMU that gives this option.");
     while (const auto bytes = Fmu::receive_frame(standard_input, &interrupted))
       {
         const auto        question = Fmu::StatesQuestion::of_bytes(*bytes);

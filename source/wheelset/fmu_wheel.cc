@@ -71,25 +71,6 @@ namespace RollingContact
     return found;
   }
 
-  bool FmuWheel::Kept::suits(const WantedMesh &wanted) const
-  {
-    for (unsigned int d = 0; d < 2; ++d)
-      if (const double ratio = wanted.element_size[d] / element_size[d];
-          !(ratio >= smallest_patch && ratio <= 1 / smallest_patch))
-        return false;
-    return true;
-  }
-
-  bool FmuWheel::Kept::reaches(const WantedMesh &wanted) const
-  {
-    const auto  &boxes = wanted.patch.boxes;
-    const double step  = steady.grading.element_size_x / 2;
-    return std::all_of(boxes.begin(), boxes.end(), [&](const ZoneBox &box) {
-      return covers(steady.grading.zone_boxes, box, step) ||
-             covers(patches, box, step);
-    });
-  }
-
   Profiles::WheelsetPosition
   FmuWheel::place_of(const Fmu::WheelQuestion &asked) const
   {
@@ -124,14 +105,11 @@ namespace RollingContact
   bool FmuWheel::solve_from(const PairSpec     &scene,
                             const ContactState &start,
                             const bool          holds,
-                            SteadyState<3>     &steady)
+                            Kept               &kept)
   {
-    steady.state              = start;
-    steady.state.holds_scheme = holds;
-    steady.solver.converged   = true; // as a start
-    solve_on_kept_bodies(scene, steady);
-    steady.state.holds_scheme = false;
-    return steady.solver.converged;
+    kept.steady.state            = start;
+    kept.steady.solver.converged = true; // as a start
+    return kept.solve_from_here(scene, holds);
   }
 
   bool FmuWheel::is_found(const PairSpec     &scene,
@@ -139,61 +117,41 @@ namespace RollingContact
                           Kept               &kept) const
   {
     if (start.pressure.size() != kept.steady.problem.n_nodes())
-      throw InputError("What is remembered of the last state is none of this "
+      throw InputError("What is remembered of the last state is not of this "
                        "scene.");
-    SteadyState<3> &steady = kept.steady;
     // with held edges where these jump with the load
-    bool is_there = solve_from(scene, start, false, steady) ||
-                    solve_from(scene, start, true, steady);
-    if (!is_there)
+    if (!solve_from(scene, start, false, kept) &&
+        !solve_from(scene, start, true, kept))
       {
         const WantedMesh wanted = wanted_mesh(scene);
-        is_there                = kept.suits(wanted) && kept.reaches(wanted) &&
-                   solve_from(scene,
-                              initial_state(steady.problem, wanted.patch),
-                              false,
-                              steady);
+        if (!kept.suits(wanted, smallest_patch) || !kept.reaches(wanted))
+          return false;
+        solve_from(scene,
+                   initial_state(kept.steady.problem, wanted.patch),
+                   false,
+                   kept);
       }
-    // of several patches the smallest decides on the elements
-    const double now  = kept.elements_across(),
-                 most = std::max<double>(kept.made,
-                                         scene.mesh.elements_across_patch);
-    return is_there && !zone_too_small(steady) &&
-           now >= smallest_patch * scene.mesh.elements_across_patch &&
-           now <= most / smallest_patch;
+    return kept.serves(scene, smallest_patch);
   }
 
   FmuWheel::Kept FmuWheel::made(const Recipe &recipe)
   {
-    const PairSpec   scene    = scene_of(recipe.asked, place_of(recipe.asked));
-    const WantedMesh wanted   = wanted_mesh(scene);
-    StateDemands     demands  = demands_of_kept_bodies();
-    demands.pair.split_bodies = split_bodies;
-    demands.other_patches     = recipe.others;
-    if (wanted.patch.half_width_x > 0.)
-      demands.patch = wanted.patch;
+    const PairSpec   scene  = scene_of(recipe.asked, place_of(recipe.asked));
+    const WantedMesh wanted = wanted_mesh(scene);
     ++n_made;
-    Kept            found{recipe.bytes(),
-               wanted.element_size,
-               wanted.patch.boxes,
-               solve_steady_state<3>(scene, demands, context.run),
-               0.,
-               {},
-               ""};
+    Kept            found{KeptBodies<3>::made_for(
+                 scene, wanted, recipe.others, split_bodies, context.run),
+               recipe.bytes()};
     SteadyState<3> &steady = found.steady;
-    steady.pair->release_statics();
     if (!steady.solver.converged)
       {
         const ContactState start = steady.state;
-        if (!solve_from(scene, start, true, steady))
+        if (!solve_from(scene, start, true, found))
           found.failure =
             shortfall(steady.solver, scene.solver.controls.tolerance);
       }
     found.made  = found.elements_across();
     found.first = steady.state;
-    found.patches.insert(found.patches.end(),
-                         recipe.others.begin(),
-                         recipe.others.end());
     if (found.patches.size() > most_patches)
       found.patches.resize(most_patches);
     return found;
@@ -260,14 +218,14 @@ namespace RollingContact
         if (is_found(scene, unarchived(in.text()), kept))
           return told(scene, kept);
         // where patches were others may come again
-        if (kept.suits(wanted_mesh(scene)))
+        if (kept.suits(wanted_mesh(scene), smallest_patch))
           recipe.others = kept.patches;
       }
     Kept &kept = bodies_of(recipe);
     if (!kept.failure.empty())
       throw ConvergenceError(kept.failure);
-    if (!solve_from(scene, kept.first, false, kept.steady) &&
-        !solve_from(scene, kept.first, true, kept.steady))
+    if (!solve_from(scene, kept.first, false, kept) &&
+        !solve_from(scene, kept.first, true, kept))
       throw ConvergenceError(
         shortfall(kept.steady.solver, scene.solver.controls.tolerance));
     return told(scene, kept);

@@ -1,5 +1,4 @@
 #include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/wheelset/wheel_pair.h>
 
 #include <algorithm>
@@ -34,9 +33,8 @@ namespace RollingContact
       tangential_problem(steady.problem, steady.state);
     for (const NodeState state : node_states(tangential, steady.state))
       found.n_stick += state == NodeState::stick;
-    const auto patches =
-      contact_patches(steady.pair->trace(), steady.problem, steady.state);
-    found.n_patches = patches.size();
+    const auto patches = patches_of(steady);
+    found.n_patches    = patches.size();
     for (const ContactPatch &patch : patches)
       {
         const double angle =

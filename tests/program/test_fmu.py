@@ -217,7 +217,7 @@ def refuses_null(fmu, one):
     refused(lambda: one.call("GetBoolean", reference, c_size_t(1), (c_int * 1)(), *lengths), "boolean")
     for name in (f"Get{state}", f"Set{state}"):
         refused(lambda: one.call(name, None))
-    refused(lambda: one.call(f"Set{state}", c_void_p(12345)), "none that")
+    refused(lambda: one.call(f"Set{state}", c_void_p(12345)), "has not kept this state")
     if not is_2:
         assert fmu.function("Reset")(one.handle) == 0
         one.initialise()

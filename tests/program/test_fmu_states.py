@@ -308,7 +308,7 @@ def test_profiles_from_files(program):
 
 def test_by_hand(program):
     """Nobody starts it so but an FMU."""
-    program(SCENE, STATES, options=("--states",), code=1, says="standard input is no socket")
+    program(SCENE, STATES, options=("--states",), code=1, says="standard input is not a socket")
     program("carter_2d_partial_slip", options=("--states",), code=1, says="Analysis = fmu")
 
 

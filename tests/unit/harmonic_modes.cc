@@ -3,7 +3,9 @@
 #include "wheel_frequencies.h"
 
 #include <rolling_contact/base/constants.h>
+#include <rolling_contact/base/exceptions.h>
 #include <rolling_contact/modes/harmonic_modes.h>
+#include <rolling_contact/modes/harmonic_section.h>
 #include <rolling_contact/modes/mode_character.h>
 #include <rolling_contact/references/bracketed_root.h>
 #include <rolling_contact/scene/body_parameters.h>
@@ -93,6 +95,27 @@ namespace
     std::vector<ModeCharacter> characters;
   };
 } // namespace
+
+/** Within the section it interpolates, beside it the place is told. */
+BOOST_AUTO_TEST_CASE(a_place_beside_the_section_is_refused)
+{
+  const BodySpec        spec = disc(0.1); // from radius 0.12 to 0.46 m
+  const HarmonicSection section(*spec.body_shape()->section_about_axle(),
+                                spec.material,
+                                true,
+                                2);
+  double                sum = 0.;
+  for (const double weight : section.at(0.01, 0.3).weights)
+    sum += weight;
+  BOOST_TEST(sum == 1., boost::test_tools::tolerance(1e-12));
+  BOOST_CHECK_EXCEPTION(
+    section.at(0.01, 0.52), InputError, [](const InputError &error) {
+      const std::string said = error.what();
+      return said.find("0.01 m across and 0.52 m outwards") !=
+               std::string::npos &&
+             said.find("Take Model = mesh") != std::string::npos;
+    });
+}
 
 /** The reference knows no more of sharp corners: with finer cells there the
  * frequencies fall by up to 7e-4 below those here. */

@@ -94,7 +94,8 @@ namespace RollingContact
 
     /**
      * At the place of the section nearest to this one in the quadrilateral that
-     * holds it. Units: m.
+     * holds it. Throws InputError if that is more than a tenth of the
+     * quadrilateral away. Units: m.
      */
     Interpolation at(const double along, const double radius) const;
 

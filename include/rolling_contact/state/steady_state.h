@@ -2,6 +2,7 @@
 #define rolling_contact_state_steady_state_h
 
 #include <rolling_contact/contact/halved_problem.h>
+#include <rolling_contact/contact/patches.h>
 #include <rolling_contact/contact/resultants.h>
 #include <rolling_contact/pair/patch_estimate.h>
 #include <rolling_contact/pair/rolling_pair.h>
@@ -144,6 +145,13 @@ namespace RollingContact
                     const SteadyState<dim> &steady,
                     const unsigned int      n_elements,
                     Grading<dim>           &grading);
+
+  /** The contact_patches() of a state. */
+  template <int dim>
+  std::vector<ContactPatch> patches_of(const SteadyState<dim> &steady)
+  {
+    return contact_patches(steady.pair->trace(), steady.problem, steady.state);
+  }
 
   /**
    * Why a solve failed, "reason. Natural residual 1e-3, required 1e-10".

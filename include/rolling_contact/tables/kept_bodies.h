@@ -47,6 +47,48 @@ namespace RollingContact
 
   /** With its patch as estimated. */
   WantedMesh wanted_mesh(const PairSpec &scene, const PatchEstimate &patch);
+
+  /**
+   * Bodies that are kept with the state solved on them last, and what they are
+   * good for.
+   */
+  template <int dim>
+  struct KeptBodies
+  {
+    std::array<double, 2> element_size; ///< wanted, m
+    std::vector<ZoneBox>  patches;      ///< where profiles touch
+    SteadyState<dim>      steady;
+    double                made = 0.; ///< elements across the patch at first
+
+    /** Bodies made for a state, which is solved and may not have converged,
+     * with nodes where @p other_patches were, too. */
+    static KeptBodies made_for(const PairSpec             &scene,
+                               const WantedMesh           &wanted,
+                               const std::vector<ZoneBox> &other_patches,
+                               const std::shared_ptr<SplitBodies> &split_bodies,
+                               RunContext                         &context);
+
+    /** By how much wanted elements are larger or smaller, in logarithms. */
+    double misfit(const WantedMesh &wanted) const;
+
+    /** Whether elements are from @p smallest to 1 / @p smallest times as large
+     * as wanted. */
+    bool suits(const WantedMesh &wanted, const double smallest) const;
+
+    /** Whether there are contact nodes wherever the profiles touch. */
+    bool reaches(const WantedMesh &wanted) const;
+
+    /** Elements across the patch of the state as it is. */
+    double elements_across() const;
+
+    /** Whether the state is found, enclosed, and with about as many elements
+     * across as are asked for: from @p smallest to 1 / @p smallest times. */
+    bool serves(const PairSpec &scene, const double smallest) const;
+
+    /** Solve from the state as it is, with its edges as they are if @p holds;
+     * returns whether that converged. */
+    bool solve_from_here(const PairSpec &scene, const bool holds);
+  };
 } // namespace RollingContact
 
 #endif

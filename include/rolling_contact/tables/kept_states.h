@@ -80,14 +80,10 @@ namespace RollingContact
 
   private:
     /** A state, and what its bodies are good for. */
-    struct Kept
+    struct Kept : KeptBodies<dim>
     {
-      std::string           bodies;
-      std::array<double, 2> element_size; ///< wanted, m
-      std::vector<ZoneBox>  patches;      ///< where profiles touch
-      SteadyState<dim>      steady;
-      double                made; ///< elements across the patch at first
-      unsigned int          kind; ///< of that state
+      std::string  bodies;
+      unsigned int kind; ///< of the state
 
       /** When a kind had its last state here. */
       std::map<unsigned int, unsigned int> used = {};
@@ -95,20 +91,12 @@ namespace RollingContact
       /** The last states of other kinds that converged. */
       std::map<unsigned int, ContactState> others = {};
 
-      /** By how much wanted elements are larger or smaller, in logarithms. */
-      double misfit(const WantedMesh &wanted) const;
-
-      bool reaches(const WantedMesh &wanted) const;
-
-      /** Elements across the patch of the state as it is. */
-      double elements_across() const;
-
       /** Go on with states of this kind, which there are. */
       bool take(const unsigned int kind);
     };
 
-    /** Solve from the state as it is. */
-    void solve_from_here(const PairSpec &scene, SteadyState<dim> &steady) const;
+    /** Solve from the state as it is, with its edges held where that helps. */
+    void solve_from_here(const PairSpec &scene, Kept &bodies) const;
 
     /** The bodies of the last state of a kind; the end if there are none. */
     typename std::list<Kept>::iterator last_of(const unsigned int kind,

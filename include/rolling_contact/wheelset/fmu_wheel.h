@@ -46,24 +46,11 @@ namespace RollingContact
       static Recipe of_bytes(const std::string &bytes);
     };
 
-    struct Kept
+    struct Kept : KeptBodies<3>
     {
-      std::string           recipe;
-      std::array<double, 2> element_size; ///< wanted, m
-      std::vector<ZoneBox>  patches;      ///< where profiles touch
-      SteadyState<3>        steady;
-      double                made;    ///< elements across the patch at first
-      ContactState          first;   ///< state of the recipe
-      std::string           failure; ///< why there is none
-
-      double elements_across() const
-      {
-        return 2 * steady.result.half_width_x / steady.grading.element_size_x;
-      }
-
-      bool suits(const WantedMesh &wanted) const;
-
-      bool reaches(const WantedMesh &wanted) const;
+      std::string  recipe;
+      ContactState first   = {}; ///< state of the recipe
+      std::string  failure = {}; ///< why there is none
     };
 
     Profiles::WheelsetPosition place_of(const Fmu::WheelQuestion &asked) const;
@@ -80,7 +67,7 @@ namespace RollingContact
     static bool solve_from(const PairSpec     &scene,
                            const ContactState &start,
                            const bool          holds,
-                           SteadyState<3>     &steady);
+                           Kept               &kept);
 
     /** Whether the state is found on bodies that suit it. */
     bool is_found(const PairSpec     &scene,
