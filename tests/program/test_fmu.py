@@ -264,8 +264,8 @@ def test_states(any_fmu):
     assert one.get(*outputs) == values
     other.restore(other.deserialise(data, one.time))
     assert other.get(*outputs) == values
-    refused(lambda: other.deserialise(data[:-1], 0.0), "no state")
-    refused(lambda: other.deserialise(bytes(len(data)), 0.0), "no state")
+    refused(lambda: other.deserialise(data[:-1], 0.0), "not a state")
+    refused(lambda: other.deserialise(bytes(len(data)), 0.0), "not a state")
     one.forget(saved)
     assert saved[0].value is None
     for instance in (one, other):
