@@ -54,11 +54,6 @@ namespace RollingContact
     return proc_entry("/proc/self/status", "VmHWM:");
   }
 
-  std::size_t resident_memory()
-  {
-    return proc_entry("/proc/self/status", "VmRSS:");
-  }
-
   namespace
   {
     constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();

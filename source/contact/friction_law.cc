@@ -24,15 +24,28 @@ namespace RollingContact
 
   namespace
   {
-    class ExponentialFriction : public FrictionLaw
+    class FallingFriction : public FrictionLaw
     {
     public:
-      ExponentialFriction(const double kinetic_over_static,
-                          const double decay_speed)
-        : range(1 - kinetic_over_static)
+      FallingFriction(const double lowest_share, const double decay_speed)
+        : range(1 - lowest_share)
         , v_c(decay_speed)
       {}
 
+      double decay_speed() const override
+      {
+        return v_c;
+      }
+
+    protected:
+      const double range, v_c;
+    };
+
+    class ExponentialFriction : public FallingFriction
+    {
+      using FallingFriction::FallingFriction;
+
+    public:
       double drop(const double speed) const override
       {
         return -range * std::expm1(-speed / v_c);
@@ -42,25 +55,13 @@ namespace RollingContact
       {
         return range / v_c * std::exp(-speed / v_c);
       }
-
-      double decay_speed() const override
-      {
-        return v_c;
-      }
-
-    private:
-      const double range, v_c;
     };
 
-    class RationalFriction : public FrictionLaw
+    class RationalFriction : public FallingFriction
     {
-    public:
-      RationalFriction(const double kinetic_over_static,
-                       const double decay_speed)
-        : range(1 - kinetic_over_static)
-        , v_c(decay_speed)
-      {}
+      using FallingFriction::FallingFriction;
 
+    public:
       double drop(const double speed) const override
       {
         return range * speed / (v_c + speed);
@@ -70,14 +71,6 @@ namespace RollingContact
       {
         return range * v_c / ((v_c + speed) * (v_c + speed));
       }
-
-      double decay_speed() const override
-      {
-        return v_c;
-      }
-
-    private:
-      const double range, v_c;
     };
 
     template <typename Law>

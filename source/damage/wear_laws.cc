@@ -34,6 +34,8 @@ namespace RollingContact::Damage
                              const double            pressure,
                              const DamageParameters &parameters)
   {
+    if (parameters.archard_coefficient > 0.)
+      return parameters.archard_coefficient;
     const Range &range = pressure > 0.8 * parameters.hardness ? catastrophic
                          : sliding_speed >= 0.2 && sliding_speed <= 0.7 ? severe
                                                                         : mild;
@@ -70,11 +72,16 @@ namespace RollingContact::Damage
     return parameters.worn_mass_per_energy * node.power / parameters.density;
   }
 
+  bool WearLaw::needs_speed(const DamageParameters &parameters) const
+  {
+    return rate == &archard_rate && parameters.archard_coefficient == 0.;
+  }
+
   const std::vector<WearLaw> &wear_laws()
   {
     static const std::vector<WearLaw> all{
       {"archard",
-       "depth k p |s| / H, k by the sliding speed and p / H",
+       "depth k p |s| / H, k given or by the sliding speed and p / H",
        &archard_rate},
       {"usfd", "mass by the power per area, with three branches", &usfd_rate},
       {"t-gamma", "mass linear in the energy", &t_gamma_rate}};

@@ -253,9 +253,9 @@ namespace RollingContact
       if (wheelset.cases().size() > 1)
         throw InputError("Wheelset/Curve radius has several values: give those "
                          "of a duty as rows of Evolution/File of rows.");
-      const auto &law = section.wear_law();
-      if (law.rate == &Damage::archard_rate && !scene.contact.speed)
-        throw InputError("Evolution/Law = archard asks for Contact/Speed.");
+      if (section.wear_law().needs_speed(scene.wear) && !scene.contact.speed)
+        throw InputError("Evolution/Law = archard asks for Contact/Speed or "
+                         "Wear/Archard coefficient.");
     }
   } // namespace
 

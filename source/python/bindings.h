@@ -6,6 +6,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <rolling_contact/base/exceptions.h>
+#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/contact/contact_problem.h>
 #include <rolling_contact/program/scene_reader.h>
 #include <rolling_contact/tables/session.h>
@@ -130,10 +132,15 @@ namespace RollingContact
     class Open
     {
     public:
-      template <typename... Arguments>
-      void open(Arguments &&...arguments)
+      /** Throws InputError on several ranks. Other threads run meanwhile. */
+      void open(const Scene &scene, Speech &speech)
       {
-        session.emplace(std::forward<Arguments>(arguments)...);
+        if (Ranks::count() > 1)
+          throw InputError("A session is for one rank, MPI has " +
+                           std::to_string(Ranks::count()) +
+                           ": start Python without mpirun.");
+        const py::gil_scoped_release others_run;
+        session.emplace(*scene.situation, speech.stream(), speech.verbosity);
       }
 
       void close()

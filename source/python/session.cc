@@ -1,7 +1,5 @@
 #include "bindings.h"
 
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/tables/session.h>
 
 namespace RollingContact::Bindings
@@ -17,12 +15,7 @@ namespace RollingContact::Bindings
         , entries(scene->entries)
         , warnings(scene->warnings)
       {
-        if (Ranks::count() > 1)
-          throw InputError("A session is for one rank, MPI has " +
-                           std::to_string(Ranks::count()) +
-                           ": start Python without mpirun.");
-        const py::gil_scoped_release others_run;
-        session.open(*scene->situation, speech.stream(), speech.verbosity);
+        session.open(*scene, speech);
       }
 
       void close()

@@ -1,7 +1,5 @@
 #include "bindings.h"
 
-#include <rolling_contact/base/exceptions.h>
-#include <rolling_contact/base/ranks.h>
 #include <rolling_contact/tables/transient_session.h>
 
 namespace RollingContact::Bindings
@@ -32,12 +30,7 @@ namespace RollingContact::Bindings
         : speech(verbosity)
         , warnings(scene->warnings)
       {
-        if (Ranks::count() > 1)
-          throw InputError("A session is for one rank, MPI has " +
-                           std::to_string(Ranks::count()) +
-                           ": start Python without mpirun.");
-        const py::gil_scoped_release others_run;
-        session.open(*scene->situation, speech.stream(), speech.verbosity);
+        session.open(*scene, speech);
       }
 
       TransientState step(const std::optional<double> length,

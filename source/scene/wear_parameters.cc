@@ -81,8 +81,19 @@ namespace RollingContact
       .help = "Shear yield stress k, for the indices of fatigue, the "
               "shakedown map, and the warning of peak pressures on measured "
               "surfaces.";
+    entries.add("Archard coefficient", archard_coefficient, "1")
+      .at_least(0.)
+      .read_by(reports)
+      .help = "Coefficient k of Archard's law, worn volume k F s / H by a load "
+              "F that slides by s, wherever the contact slides. A K per load "
+              "and distance (m^2/N) times Hardness. 0: by the chart for "
+              "wheels and rails.";
     entries.choice("Archard coefficients", archard_scatter, scatters)
       .read_by(reports)
+      .read_by({[](const SceneParameters &scene) {
+                  return scene.wear.archard_coefficient == 0.;
+                },
+                "Wear/Archard coefficient is given"})
       .help = "Where in the scatter of measurements the coefficients of "
               "Archard's law lie: `lowest`, `middle` or `highest`. The wear "
               "at both ends is in columns as well.";

@@ -141,6 +141,18 @@ def test_description(any_fmu):
     assert [v.name for v in variables if v.causality == "independent"] == ["time"]
 
 
+def test_ways_in_words(any_fmu):
+    """Directions are those of doc/howto/fmu.md: x forwards, y to the right, z down, on both sides."""
+    words = {v.get("name"): v.get("description") for v in any_fmu.description.find("ModelVariables")}
+    for side in ("right", "left"):
+        assert words[f"{side}.rail_y"] == f"displacement of the {side}-hand rail to the right"
+        assert words[f"{side}.rail_z"] == f"displacement of the {side}-hand rail down"
+        assert words[f"{side}.load"] == f"vertical load of the {side}-hand wheel on its rail"
+        for axis, way in (("x", "forwards"), ("y", "to the right"), ("z", "down")):
+            assert words[f"{side}.force_{axis}"].endswith(f"force on the wheel {way}"), axis
+            assert re.search(f", {way}(:|$)", words[f"{side}.moment_{axis}"]), axis
+
+
 def test_values(any_fmu):
     """Every variable answers, starts are those of the description, what is not set from outside is refused."""
     one = any_fmu.instantiate()

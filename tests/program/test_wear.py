@@ -74,6 +74,19 @@ def test_other_constants(program, worn):
     close(row["wear_archard_mm2/km"], 2 * others["wear_archard_lowest_mm2/km"])
 
 
+def test_an_own_coefficient_of_archard(program, worn):
+    """Everywhere, whatever the speed, without a range; half as much again as mild wear has."""
+    row = program(STATE, SIX, {"Wear/Report": "true", "Wear/Archard coefficient": 7.5e-4, "Wear/Archard coefficients": "highest"},
+                  says="Wear/Archard coefficients = highest has no effect: Wear/Archard coefficient is given").results.records()[-1]
+    close(row["wear_archard_mm2/km"], 1.5 * worn.results.records()[-1]["wear_archard_mm2/km"])
+    for end in ("lowest", "highest"):
+        assert row[f"wear_archard_{end}_mm2/km"] == row["wear_archard_mm2/km"]
+
+
+def test_a_coefficient_below_zero(program):
+    program.refuses(STATE, "give a number of at least 0", {"Wear/Report": "true", "Wear/Archard coefficient": -1})
+
+
 def test_not_asked(program):
     run = program(STATE, SIX, {"Wear/Hardness": "2e9"}, says="Wear/Hardness = 2e9 has no effect: Wear/Report = false")
     for name in ("results.csv", "across.csv"):

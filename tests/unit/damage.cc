@@ -86,6 +86,9 @@ BOOST_AUTO_TEST_CASE(chart_of_archard)
   DamageParameters soft;
   soft.hardness = 1.2e9;
   BOOST_TEST(archard_coefficient(0.1, gentle, soft) == 350e-4);
+  soft.archard_coefficient = 1e-7;
+  for (const double speed : {0., 0.1, 0.5})
+    BOOST_TEST(archard_coefficient(speed, hard, soft) == 1e-7);
 }
 
 BOOST_AUTO_TEST_CASE(depth_of_archard_at_a_node)

@@ -52,4 +52,16 @@ BOOST_AUTO_TEST_CASE(ranges_that_are_none)
     BOOST_TEST(contains(said_of(text), "too far apart"), text);
 }
 
+BOOST_AUTO_TEST_CASE(speeds_are_sorted_and_above_zero)
+{
+  const std::vector<double> speeds = speeds_or(7., "Impact/Speeds", "3, 1, 3"),
+                            one    = speeds_or(7., "Impact/Speeds", "");
+  const double expected[]          = {1., 3.};
+  BOOST_TEST(speeds == expected, boost::test_tools::per_element());
+  BOOST_TEST(one == std::vector<double>{7.}, boost::test_tools::per_element());
+  BOOST_TEST(complaint([]() { speeds_or(7., "Impact/Speeds", "2, -1"); }) ==
+             "Impact/Speeds = 2, -1: -1 is among them; give numbers above 0 "
+             "m/s.");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

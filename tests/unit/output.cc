@@ -197,11 +197,9 @@ BOOST_AUTO_TEST_CASE(memory_is_plausible)
 {
   const std::size_t before = peak_memory();
   BOOST_TEST(before > 1000000u);
-  BOOST_TEST(resident_memory() > 1000000u);
   BOOST_TEST(available_memory() > 1000000u);
 
   std::vector<char> block(50000000, 'x');
-  BOOST_TEST(resident_memory() > block.size());
   std::vector<char>().swap(block);
   BOOST_TEST(peak_memory() > 50000000u);
 }

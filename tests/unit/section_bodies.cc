@@ -66,7 +66,8 @@ BOOST_AUTO_TEST_CASE(sections_that_cannot_be_used)
   check(sections.said(as_it_is, [](BodyParameters &body) { body.radius = -1; }),
         "revolved about an axle one radius behind the contact point");
   check(sections.said(moved(0., -0.001)),
-        "passes 0.001 m over or under the contact point");
+        "passes 0.001 m over or under the contact point, the file's origin: "
+        "move the section, or check Mesh unit (1 m).");
   check(sections.said(moved(0.02, 0.)), "it reaches from y = 0.01 to 0.03 m");
   check(sections.said([](WrittenMesh &mesh) {
     mesh.map = [](double a, double, double c) {

@@ -560,7 +560,7 @@ BOOST_AUTO_TEST_CASE(bad_input)
   CHECK_INPUT_ERROR(with([](Contact &c) { c.wave_number = 0; }),
                     "Wave number is 0 1/m");
   CHECK_INPUT_ERROR(with([](Contact &c) { c.wave_number = 3e5; }),
-                    "at most 1000 over the half-width");
+                    "at most 1000 over the half-width of the patch.");
   CHECK_INPUT_ERROR(with([&](Contact &c) { c.normal_compliance = infinity; }),
                     "Real part of the normal compliance is inf m^2/N");
   CHECK_INPUT_ERROR(with([&](Contact &c) {
@@ -576,7 +576,8 @@ BOOST_AUTO_TEST_CASE(bad_input)
   CHECK_INPUT_ERROR(load_per_wave(5e-3, 115.4e9, 0.1, 0, 0.),
                     "Wave number is 0 1/m");
   CHECK_INPUT_ERROR(creepage_wave_ratio(5e-3, 1e-3, 100),
-                    "Reference length is 0.001 m");
+                    "Reference length is 0.001 m: it must be larger than half "
+                    "the half-width of the patch.");
   CHECK_INPUT_ERROR(creepage_wave_ratio(5e-3, 0.1, -1),
                     "Wave number is -1 1/m");
   CHECK_INPUT_ERROR(wave_flattening(-1), "Half-width times wave number is -1");

@@ -16,9 +16,6 @@ namespace RollingContact
   /** Largest memory held since the last reset, libraries included, in bytes. */
   std::size_t peak_memory_since_reset();
 
-  /** Memory this process holds now, in bytes (VmRSS); 0 if unknown. */
-  std::size_t resident_memory();
-
   /** What this process can still get without swapping, in bytes: MemAvailable,
    * within the limits of ulimit -v and -d and those of its control group
    * (containers, batch systems); 0 if unknown. */

@@ -36,6 +36,7 @@ namespace RollingContact::Damage
     double density              = 7850.;  ///< rho
     double shear_yield_stress   = 300e6;  ///< k
     double worn_mass_per_energy = 5.3e-9; ///< K, worn mass per energy
+    double archard_coefficient  = 0.;     ///< k of Archard; 0: by the chart
 
     ArchardScatter     archard_scatter     = ArchardScatter::middle;
     CatastrophicBranch catastrophic_branch = CatastrophicBranch::continuous;

@@ -22,11 +22,12 @@ namespace RollingContact::Damage
   };
 
   /**
-   * Wear coefficient k of Archard's law by the chart over sliding speed v (m/s)
-   * and pressure p (Pa), dimensionless: mild below 0.2 m/s, 1 to 10 times 1e-4;
-   * severe from 0.2 to 0.7 m/s, 30 to 40; mild again above; catastrophic where
-   * p > 0.8 H, 300 to 400. The middle is 5, 35, 5, 350 times 1e-4. Source:
-   * Jendel 2002 (Wear 253), recalled, unverified.
+   * Wear coefficient k of Archard's law, the one that is given or else by the
+   * chart over sliding speed v (m/s) and pressure p (Pa), dimensionless: mild
+   * below 0.2 m/s, 1 to 10 times 1e-4; severe from 0.2 to 0.7 m/s, 30 to 40;
+   * mild again above; catastrophic where p > 0.8 H, 300 to 400. The middle is
+   * 5, 35, 5, 350 times 1e-4. Source: Jendel 2002 (Wear 253), recalled,
+   * unverified.
    */
   double archard_coefficient(const double            sliding_speed,
                              const double            pressure,
@@ -81,6 +82,9 @@ namespace RollingContact::Damage
 
     /** Worn depth of the rail per metre rolled over it, m/m. */
     double (*rate)(const RubbingNode &, const DamageParameters &);
+
+    /** Whether it asks for the speed of rolling. */
+    bool needs_speed(const DamageParameters &parameters) const;
   };
 
   /**

@@ -28,8 +28,7 @@ namespace RollingContact
     /** Archard's law asks for Contact/Speed. */
     bool can_tell(const Damage::WearLaw &law) const
     {
-      return law.rate != &Damage::archard_rate ||
-             scene.contact.speed.has_value();
+      return !law.needs_speed(scene.wear) || scene.contact.speed.has_value();
     }
 
     /** The laws that can be told. */
