@@ -82,14 +82,16 @@ BOOST_AUTO_TEST_CASE(geometric_levels_have_an_exact_limit)
   for (const double error : {0.08, 0.02, 0.005})
     {
       LevelValues level;
-      level.values         = {{100., 20. * (1 + error), 0., 1e-4}};
+      level.values = {{100., 16. * (1 + error), 12. * (1 + error), 1e-4}};
       level.friction_force = 30.;
       history.add(level);
     }
   BOOST_TEST(*history.change() == 20. * 0.015 / 30,
              boost::test_tools::tolerance(1e-12));
   const auto limit = history.limit();
-  BOOST_TEST(limit->limit.values[LevelValues::force_x] == 20.,
+  BOOST_TEST(limit->limit.values[LevelValues::force_x] == 16.,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(limit->limit.values[LevelValues::force_y] == 12.,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(limit->value_error == 20. * 0.005 / 30,
              boost::test_tools::tolerance(1e-10));

@@ -5,6 +5,7 @@
 #include "complaint.h"
 #include "scene_run.h"
 
+#include <rolling_contact/mesh/abaqus_text.h>
 #include <rolling_contact/mesh/mesh_file.h>
 #include <rolling_contact/pair/mesh_unit_check.h>
 #include <rolling_contact/program/analysis_table.h>
@@ -353,6 +354,29 @@ BOOST_AUTO_TEST_CASE(sets_and_orders_of_abaqus)
   TwoSquares large;
   large.before = "*SURFACE, NAME=SURF-4000000000\n";
   BOOST_TEST(contains(said_of(large), "line 1: the id 4000000000 of surface"));
+}
+
+/** Far from the origin, on either side of it, and along both axes. */
+BOOST_AUTO_TEST_CASE(a_quadrilateral_is_turned_wherever_it_lies)
+{
+  for (const int x : {-7, 0, 7})
+    for (const int y : {-9, 0, 9})
+      {
+        std::ostringstream nodes;
+        for (const auto &[dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+          nodes << 1 + (dy == 0 ? dx : 3 - dx) << ", " << x + dx << ", "
+                << y + dy << '\n';
+        for (const char *order : {"1, 2, 3, 4", "1, 4, 3, 2"})
+          {
+            const std::string read =
+              checked_abaqus("*NODE\n" + nodes.str() +
+                               "*ELEMENT, TYPE=CPE4\n1, " + order +
+                               "\n*SURFACE, NAME=SURF-1\n1, S1\n"
+                               "*SURFACE, NAME=SURF-2\n1, S3\n",
+                             2);
+            BOOST_TEST(contains(read, "*ELEMENT\n1, 1, 2, 3, 4\n"), read);
+          }
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_mirrored_hexahedron_of_abaqus)

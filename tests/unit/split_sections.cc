@@ -126,9 +126,10 @@ namespace
     std::shared_ptr<SplitBody> rail; ///< that serves, if it is split
   };
 
-  Chosen choose(const Change    &change,
-                SplitBodies     &bodies,
-                const Compliance compliance = Compliance::automatic)
+  Chosen choose(const Change               &change,
+                SplitBodies                &bodies,
+                const Compliance            compliance = Compliance::automatic,
+                const std::vector<ZoneBox> &nodes      = {})
   {
     SceneInMemory run;
     set_sections(run.scene);
@@ -137,12 +138,14 @@ namespace
     const Situation &situation = run.situation();
     PairDemands      demands;
     demands.bulk_errors = true;
-    const auto grading  = make_grading<3>(situation,
-                                         StateDemands(),
-                                         estimate_patch(situation),
-                                         situation.mesh.elements_across_patch,
-                                         0.);
-    Chosen     chosen{choose_compliance(situation, grading, demands), nullptr};
+    auto grading        = make_grading<3>(situation,
+                                   StateDemands(),
+                                   estimate_patch(situation),
+                                   situation.mesh.elements_across_patch,
+                                   0.);
+    if (!nodes.empty())
+      grading.zone_boxes = nodes;
+    Chosen chosen{choose_compliance(situation, grading, demands), nullptr};
     if (chosen.choice.split)
       chosen.rail = bodies.body_of(situation.rail, grading, false, false);
     return chosen;
@@ -178,6 +181,26 @@ BOOST_AUTO_TEST_CASE(corners_and_curved_surfaces_are_refused)
   BOOST_TEST(!found.split);
   BOOST_TEST(found.reason.find("known less exactly") != std::string::npos);
   BOOST_TEST(choose(fine, bodies, Compliance::split).choice.split);
+}
+
+/** Nodes that may touch on one side are as far as those on the other. */
+BOOST_AUTO_TEST_CASE(far_nodes_are_refused_on_both_sides)
+{
+  SplitBodies bodies;
+  const auto  chosen = [&](const double from, const double to) {
+    return choose([](SceneParameters &) {},
+                  bodies,
+                  Compliance::automatic,
+                  {{{{-3e-3, from}}, {{3e-3, to}}}})
+      .choice;
+  };
+  for (const auto &[near, far] : {std::pair(3e-3, 14e-3), {14e-3, 3e-3}})
+    {
+      const ComplianceChoice found = chosen(-near, far);
+      BOOST_TEST(!found.split);
+      BOOST_TEST(found.reason.find("large for the section") !=
+                 std::string::npos);
+    }
 }
 
 /**
