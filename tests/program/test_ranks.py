@@ -54,6 +54,8 @@ def test_a_steady_state_and_a_curve(program):
     memory = curve.json["all_ranks"]
     largest = memory["largest_peak_memory_bytes"]
     assert 2 * largest < memory["peak_memory_bytes"] <= 3 * largest
+    longest = memory["largest_cpu_seconds"]
+    assert 0 < longest < memory["cpu_seconds"] <= 3 * longest
 
 
 def test_ranks_that_a_small_scene_does_not_need(program):

@@ -89,6 +89,7 @@ BOOST_AUTO_TEST_CASE(numbers_as_text)
   BOOST_TEST(human_bytes(0) == "0 B");
   BOOST_TEST(human_bytes(999999) == "1 MB");
   BOOST_TEST(human_bytes(3.1e9) == "3.1 GB");
+  BOOST_TEST(millimetres(0.0012345, 3) == "1.23 mm");
   BOOST_TEST(human_seconds(0.0351) == "35 ms");
   BOOST_TEST(human_seconds(13.72) == "13.7 s");
   BOOST_TEST(human_seconds(119.7) == "2 min 00 s");
