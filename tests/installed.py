@@ -47,16 +47,16 @@ def dependencies(names):
     status = subprocess.run(["dpkg-query", "-W", "-f", "${Package}\t${Pre-Depends}, ${Depends}\n"],
                             capture_output=True, text=True, check=True).stdout
     needs = dict(line.split("\t") for line in status.splitlines())
-    seen, todo = set(), list(names)
-    while todo:
-        name = todo.pop()
+    seen, waiting = set(), list(names)
+    while waiting:
+        name = waiting.pop()
         if name in seen or name not in needs:
             continue
         seen.add(name)
         for words in needs[name].split(","):
             first = re.match(r"\s*([a-z0-9.+-]+)", words)
             if first and ("|" not in words or name in names):
-                todo.append(first[1])
+                waiting.append(first[1])
     return seen
 
 

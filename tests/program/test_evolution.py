@@ -229,9 +229,14 @@ BODY = TWO.replace("Contact/Speed", "Wheelset/Left wheel radius").replace(", 40\
     (None, {"Evolution/Bodies": "both"}, "Evolution/Passages is empty"),
     (None, {"Wheelset/Left wheel radius": 0.459}, "both sides wear alike"),
     (None, {"Profiles/Body sections": "true"}, "Body sections"),
+    (None, {"Evolution/Law": "archard", "Contact/Speed": ""}, "archard asks for Contact/Speed or Wear/Archard"),
 ])
 def test_refused(program, rows, settings, says):
     program.refuses(SCENE, says, settings, {"Evolution/File of rows": program.write("rows.csv", rows)} if rows else {}, output="refused")
+
+
+def test_an_own_coefficient_needs_no_speed(program):
+    program(SCENE, {"Evolution/Law": "archard", "Contact/Speed": "", "Wear/Archard coefficient": 1e-4}, options=("--validate",))
 
 
 def test_a_wheelset_that_is_lifted(program):

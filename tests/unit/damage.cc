@@ -89,6 +89,11 @@ BOOST_AUTO_TEST_CASE(chart_of_archard)
   soft.archard_coefficient = 1e-7;
   for (const double speed : {0., 0.1, 0.5})
     BOOST_TEST(archard_coefficient(speed, hard, soft) == 1e-7);
+  for (const WearLaw &law : wear_laws())
+    {
+      BOOST_TEST(law.needs_speed({}) == (law.name == "archard"));
+      BOOST_TEST(!law.needs_speed(soft));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(depth_of_archard_at_a_node)

@@ -28,7 +28,7 @@ namespace RollingContact::Damage
    * Constants of the steel and choices within laws of wear and fatigue.
    * Hardness and shear yield stress are recalled from the literature on rail
    * and wheel steels, unverified; K is that of the first branch of
-   * usfd_mass_loss(). Units: Pa, kg/m^3, kg/J.
+   * usfd_mass_loss(). Units: Pa, kg/m^3, kg/J, 1.
    */
   struct DamageParameters
   {

@@ -25,7 +25,7 @@ namespace RollingContact
     /** Whether it is to be told: not without friction, not of time steps. */
     static bool is_asked(const PairSpec &scene, const ContactProblem &problem);
 
-    /** Archard's law asks for Contact/Speed. */
+    /** Archard's law by its chart asks for Contact/Speed. */
     bool can_tell(const Damage::WearLaw &law) const
     {
       return !law.needs_speed(scene.wear) || scene.contact.speed.has_value();
