@@ -159,13 +159,13 @@ namespace RollingContact
         significant(100 * share.open_time, 3) + " % of the time");
     if (share.sticking > 0.)
       {
-        // either border of the zone may be off
-        const double error = 1.5 / share.sticking;
+        // each border of the zone may be off by a node
+        const double error = 2 / share.sticking;
         context.report.errors.push_back(
           {"amplitude of the cycle",
            error,
            "itself",
-           "one and a half nodes of the " + significant(share.sticking, 2) +
+           "two nodes of the " + significant(share.sticking, 2) +
              " that stick on average while any do; these limit it",
            true,
            "so power " + significant(std::pow(1. + error, 2) - 1., 2) +

@@ -105,7 +105,7 @@ def test_measures_of_the_cycle(cycle, measured):
     errors = [error for error in cycle.json["errors"] if error["quantity"] == "amplitude of the cycle"]
     assert len(errors) == 1
     error = errors[0]["value"]
-    near(error, 1.5 * sum(stick) / sum(last["nodes_sticking"]), 1e-3)
+    near(error, 2 * sum(stick) / sum(last["nodes_sticking"]), 1e-3)
     # power is as the square of the amplitude
     said = re.search(r"these limit it; so power (\S+) of itself, levels (\S+) dB", cycle.screen)
     near(float(said[1]), (1 + error) ** 2 - 1, 0.06)
